@@ -1,0 +1,28 @@
+"""Errors for input that cannot be used. Not converging is not an error but an ``Outcome``."""
+
+
+class InputError(Exception):
+    """Input that cannot be used.
+
+    ``field`` names the offending entry (border name, e.g. ``bottom_thickness``), ``value`` is what
+    was given (in border units, as text), ``mend`` says what to do. ``str()`` holds all three in
+    one sentence or two, ready to be shown to the designer.
+    """
+
+    def __init__(self, message: str, *, field: str, value: str = "", mend: str = "") -> None:
+        super().__init__(message)
+        self.field = field
+        self.value = value
+        self.mend = mend
+
+
+class DesignError(InputError):
+    """A design that cannot be built: a value out of its limits or an impossible combination."""
+
+
+class SceneError(InputError):
+    """A scene that cannot be computed: a bad load, or an effect this version does not have."""
+
+
+class QuestionError(InputError):
+    """A question a rung cannot answer: unknown rung, accuracy or step count."""

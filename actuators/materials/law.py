@@ -1,0 +1,39 @@
+"""What every hyperelastic law offers."""
+
+from abc import ABC, abstractmethod
+from typing import Any, ClassVar
+
+import numpy as np
+
+
+class HyperelasticLaw(ABC):
+    """Isochoric strain energy of an isotropic rubber; volume is governed by the material's bulk
+    modulus, added by the solver.
+
+    ``code`` selects the branch of the compiled element kernel, ``coefficients`` are its numbers.
+    """
+
+    model: ClassVar[str]
+    code: ClassVar[int]
+
+    @property
+    @abstractmethod
+    def coefficients(self) -> tuple[float, ...]:
+        """Numbers the kernel reads, in SI."""
+
+    @property
+    @abstractmethod
+    def initial_shear_modulus(self) -> float:
+        """mu at zero strain [Pa]."""
+
+    @abstractmethod
+    def energy(self, stretches: np.ndarray) -> np.ndarray:
+        """W [Pa] at isochoric principal stretches, shape (..., 3) -> (...)."""
+
+    @abstractmethod
+    def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
+        """dW/dlambda [Pa] of the incompressible uniaxial test, same shape as ``stretch``."""
+
+    @abstractmethod
+    def to_document(self) -> dict[str, Any]:
+        """Model and constants with units in their names, for display."""
