@@ -16,7 +16,7 @@ FAMILIES: Mapping[str, type[Design]] = {"slab": SlabDesign, "oblique": ObliqueDe
 def parse_design(document: Mapping[str, Any]) -> Design:
     """Design from a document in border units, of whichever family it names."""
     family = document.get("family")
-    if family not in FAMILIES:
+    if not isinstance(family, str) or family not in FAMILIES:
         raise DesignError(
             f"family is {family!r}; it must be one of {', '.join(FAMILIES)}.",
             field="family", value=repr(family), mend=f"Use one of {', '.join(FAMILIES)}.",

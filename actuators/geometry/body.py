@@ -1,8 +1,8 @@
 """A body as blocks on a lattice: what every mesh, surface and mould is made from.
 
 Three lists of lattice lines cut parameter space into boxes; ``fill`` says what each box is;
-``place`` maps lattice coordinates to the undeformed actuator. Curved outlines and oblique chambers live in
-``place``, so that all else is structured.
+``place`` maps lattice coordinates to the undeformed actuator. Curved outlines and oblique chambers
+live in ``place``, so that all else is structured.
 """
 
 from collections.abc import Callable

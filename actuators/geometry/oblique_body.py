@@ -1,5 +1,7 @@
 """Oblique design to body (G, Fig. 2; heights as corrected in the physics notes, section 3)."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from actuators.design.oblique import ObliqueDesign
@@ -49,7 +51,14 @@ def oblique_cell(design: ObliqueDesign) -> Body:
     return _blocks(design, x_lines, kinds, shear, period=design.pitch)
 
 
-def _blocks(design: ObliqueDesign, x_lines, kinds, shear, *, period) -> Body:
+def _blocks(
+    design: ObliqueDesign,
+    x_lines: np.ndarray,
+    kinds: np.ndarray,
+    shear: Callable[[np.ndarray], np.ndarray],
+    *,
+    period: float | None,
+) -> Body:
     halves = [design.chamber_width / 2, design.width / 2]
     if design.channel_width > 0:
         halves.insert(0, design.channel_width / 2)
@@ -66,14 +75,14 @@ def _blocks(design: ObliqueDesign, x_lines, kinds, shear, *, period) -> Body:
 
     fill = np.full((len(kinds), len(y_middle), 4), TOP, dtype=np.int8)
     fill[:, :, 0] = BOTTOM
-    fill[np.ix_(kinds == GAP, np.ones_like(inside), [2, 3])] = OUTSIDE
-    fill[np.ix_(kinds == CHAMBER, inside, [1, 2])] = CAVITY
+    fill[kinds == GAP, :, 2:4] = OUTSIDE
+    fill[np.outer(kinds == CHAMBER, inside), 1:3] = CAVITY
     chambers = np.flatnonzero(kinds == CHAMBER)
     row = np.zeros(len(kinds), dtype=bool)
     row[chambers[0] : chambers[-1] + 1] = True
     if period is not None:
         row[:] = True  # neighbours continue the channel
-    fill[np.ix_(row, channel, [1])] = CAVITY
+    fill[np.outer(row, channel), 1] = CAVITY
 
     def place(lattice: np.ndarray) -> np.ndarray:
         x, y, z = np.moveaxis(np.asarray(lattice, dtype=float), -1, 0)

@@ -1,5 +1,7 @@
 """Slab design to body (S, Fig. 3): layers of planar outlines, stacked."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from actuators.design.slab import SlabDesign
@@ -41,15 +43,23 @@ def slab_cell(design: SlabDesign, index: int) -> Body:
     return _stack(design, x_lines, chambers, np.ones(3, bool), half_width, period=design.pitch)
 
 
-def _stack(design: SlabDesign, x_lines, is_chamber, in_row, half_width, *, period) -> Body:
+def _stack(
+    design: SlabDesign,
+    x_lines: np.ndarray,
+    is_chamber: np.ndarray,
+    in_row: np.ndarray,
+    half_width: Callable[[np.ndarray], np.ndarray],
+    *,
+    period: float | None,
+) -> Body:
     y_lines = np.array([-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0])
     z_lines = np.cumsum(
         [0.0, design.bottom_thickness, design.chamber_height, design.roof_thickness]
     )
     fill = np.full((len(x_lines) - 1, 6, 3), TOP, dtype=np.int8)
     fill[:, :, 0] = BOTTOM
-    fill[np.ix_(is_chamber, [1, 2, 3, 4], [1])] = CAVITY
-    fill[np.ix_(in_row, [2, 3], [1])] = CAVITY
+    fill[is_chamber, 1:5, 1] = CAVITY
+    fill[in_row, 2:4, 1] = CAVITY
     channel = design.channel_width / 2
     side_wall = design.side_wall
 

@@ -3,9 +3,9 @@
 import hashlib
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from actuators.errors import SceneError
 
@@ -70,18 +70,7 @@ class Scene:
                 f"steps is {steps!r}; it must be a whole number or 'auto'.",
                 field="steps", value=repr(steps), mend="Use a whole number or 'auto'.",
             )  # fmt: skip
-        gravity = document.get("gravity_m_s2", list(STANDARD_GRAVITY))
-        if gravity is not None:
-            if (
-                not isinstance(gravity, (list, tuple))
-                or len(gravity) != 3
-                or not all(_is_number(g) for g in gravity)
-            ):
-                raise SceneError(
-                    f"gravity_m_s2 is {gravity!r}; it must be three numbers or null.",
-                    field="gravity_m_s2", value=repr(gravity), mend="Use [0, 0, -9.81] or null.",
-                )  # fmt: skip
-            gravity = tuple(float(g) for g in gravity)
+        gravity = _read_gravity(document.get("gravity_m_s2", STANDARD_GRAVITY))
         return cls(pressure_to=float(pressure["to"]) * 1e3, steps=steps, gravity=gravity)
 
     def to_document(self) -> dict[str, Any]:
@@ -99,6 +88,19 @@ class Scene:
         """sha256 of the document."""
         text = json.dumps(self.to_document(), sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _read_gravity(value: Any) -> tuple[float, float, float] | None:
+    if value is None:
+        return None
+    if isinstance(value, Sequence):
+        parts = list(cast("Sequence[Any]", value))
+        if len(parts) == 3 and all(_is_number(part) for part in parts):
+            return (float(parts[0]), float(parts[1]), float(parts[2]))
+    raise SceneError(
+        f"gravity_m_s2 is {value!r}; it must be three numbers or null.",
+        field="gravity_m_s2", value=repr(value), mend="Use [0, 0, -9.81] or null.",
+    )  # fmt: skip
 
 
 def _is_number(value: Any) -> bool:
