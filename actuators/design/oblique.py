@@ -60,9 +60,16 @@ class ObliqueDesign(Design):
     )  # fmt: skip
     channel_width: float = parameter(
         2.0, label="Air channel width", group="Chambers", kind="length", lower=0, upper=50,
-        step=0.1, help="Channel through the foot (height h2) that connects the chambers; "
-        "0 leaves them separate, each under the same pressure.",
+        step=0.1, help="Channel through the foot that connects the chambers; 0 leaves them "
+        "separate, each under the same pressure.",
         assumed="channel_width is not given in the paper (G); the studio's default is an "
+        "assumption",
+    )  # fmt: skip
+    channel_height: float = parameter(
+        1.0, label="Air channel height", group="Chambers", kind="length", lower=0.1, upper=50,
+        step=0.1, help="Height of the channel, from the bottom layer up; the rest of the foot "
+        "closes it under the open gaps.",
+        assumed="channel_height is not given in the paper (G); the studio's default is an "
         "assumption",
     )  # fmt: skip
     bottom_thickness: float = parameter(
@@ -149,6 +156,16 @@ class ObliqueDesign(Design):
                 f"narrower than the chambers ({self.chamber_width * 1e3:.2f} mm). Reduce it.",
                 field="channel_width", value=f"{self.channel_width * 1e3:.2f} mm",
                 mend="Reduce channel_width.",
+            )  # fmt: skip
+        if self.channel_width > 0 and self.channel_height > self.foot_height - 0.3e-3 + 1e-9:
+            raise DesignError(
+                f"channel_height is {self.channel_height * 1e3:.4g} mm, which leaves "
+                f"{(self.foot_height - self.channel_height) * 1e3:.4g} mm of the foot "
+                f"({self.foot_height * 1e3:.4g} mm) between the channel and the open gaps; it must "
+                "be 0.30 mm or more. Reduce channel_height, raise foot_height, or set "
+                "channel_width to 0.",
+                field="channel_height", value=f"{self.channel_height * 1e3:.4g} mm",
+                mend="Reduce channel_height, raise foot_height, or set channel_width to 0.",
             )  # fmt: skip
         needed = self.chamber_count * self.pitch + self.width * self.cot_theta + 1e-3
         if self.length < needed:

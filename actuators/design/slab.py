@@ -173,6 +173,15 @@ class SlabDesign(Design):
                 field="side_radius", value=f"{self.side_radius * 1e3:.4g} mm",
                 mend="Raise side_radius or shorten the body.",
             )  # fmt: skip
+        narrowest = 2 * float(self.half_width(np.array([0.0, self.length])).min())
+        if narrowest < 1e-3:
+            raise DesignError(
+                f"side_radius is {self.side_radius * 1e3:.4g} mm, whose arcs leave the ends "
+                f"{narrowest * 1e3:.2f} mm wide; they must be 1.00 mm or wider. "
+                "Raise side_radius or width, or shorten the body.",
+                field="side_radius", value=f"{self.side_radius * 1e3:.4g} mm",
+                mend="Raise side_radius or width, or shorten the body.",
+            )  # fmt: skip
         arm = float(self.arm_spans().min())
         if not math.isfinite(arm) or arm < 0.3e-3:
             raise DesignError(

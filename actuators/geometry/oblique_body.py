@@ -65,24 +65,28 @@ def _blocks(
     symmetric = design.cot_theta == 0.0
     middle = [0.0] if symmetric else []
     y_lines = np.array([-h for h in reversed(halves)] + middle + halves)
+    has_channel = design.channel_width > 0
+    foot = [design.foot_height]
+    if has_channel:  # the foot closes the channel under the open gaps
+        foot = [design.channel_height, design.foot_height - design.channel_height]
     z_lines = np.cumsum(
-        [0.0, design.bottom_thickness, design.foot_height, design.wall_height,
-         design.roof_thickness]
-    )  # fmt: skip
+        [0.0, design.bottom_thickness, *foot, design.wall_height, design.roof_thickness]
+    )
     y_middle = np.abs(y_lines[:-1] + y_lines[1:]) / 2
     inside = y_middle < design.chamber_width / 2
     channel = y_middle < design.channel_width / 2
 
-    fill = np.full((len(kinds), len(y_middle), 4), TOP, dtype=np.int8)
+    fill = np.full((len(kinds), len(y_middle), len(z_lines) - 1), TOP, dtype=np.int8)
     fill[:, :, 0] = BOTTOM
-    fill[kinds == GAP, :, 2:4] = OUTSIDE
-    fill[np.outer(kinds == CHAMBER, inside), 1:3] = CAVITY
+    fill[kinds == GAP, :, -2:] = OUTSIDE
+    fill[np.outer(kinds == CHAMBER, inside), 1:-1] = CAVITY
     chambers = np.flatnonzero(kinds == CHAMBER)
     row = np.zeros(len(kinds), dtype=bool)
     row[chambers[0] : chambers[-1] + 1] = True
     if period is not None:
         row[:] = True  # neighbours continue the channel
-    fill[np.outer(row, channel), 1] = CAVITY
+    if has_channel:
+        fill[np.outer(row, channel), 1] = CAVITY
 
     def place(lattice: np.ndarray) -> np.ndarray:
         x, y, z = np.moveaxis(np.asarray(lattice, dtype=float), -1, 0)

@@ -62,10 +62,12 @@ def _stack(
     fill[in_row, 2:4, 1] = CAVITY
     channel = design.channel_width / 2
     side_wall = design.side_wall
+    row = x_lines[:-1][in_row][0], x_lines[1:][in_row][-1]
 
     def place(lattice: np.ndarray) -> np.ndarray:
         x, y, z = np.moveaxis(np.asarray(lattice, dtype=float), -1, 0)
-        outline = half_width(x)
+        in_reach = np.clip(x, *row)
+        outline = half_width(in_reach)
         arm = outline - side_wall
         a = np.abs(y)
         across = np.where(
@@ -73,6 +75,9 @@ def _stack(
             a * channel,
             np.where(a <= 2.0, channel + (a - 1.0) * (arm - channel), arm + (a - 2.0) * side_wall),
         )
+        # beyond the chambers the borders narrow with the outline: a tip narrower than its two side
+        # walls would fold the lattice over
+        across = across * (half_width(x) / outline)
         return np.stack([x, np.sign(y) * across, z], axis=-1)
 
     return Body(
