@@ -1,0 +1,1 @@
+"""Designs: families, presets, checking a design, keeping it under a name."""

@@ -1,0 +1,30 @@
+"""What the fabrication feature takes and gives."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from backend.documents import Answer, Body, DesignDocument, Name
+
+ExportKind = Literal["mould-svg", "actuator-stl"]
+FileKind = Literal["mould-svg", "actuator-stl", "result-json", "result-csv"]
+
+
+class FileInfo(Answer):
+    """A file that can be downloaded, or why it cannot."""
+
+    what: FileKind
+    title: str
+    file_name: str
+    media_type: str
+    url: str = Field(description="Address to download it from")
+    available: bool
+    reason: str | None = Field(description="Why it is not available")
+
+
+class ExportRequest(Body):
+    """A file of a design that is not saved."""
+
+    design: DesignDocument
+    what: ExportKind
+    name: Name = Field(default="actuator", description="Stem of the file's name")

@@ -1,0 +1,1 @@
+"""Versions of designs: what changed, what they answered, two side by side."""

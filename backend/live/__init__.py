@@ -1,0 +1,1 @@
+"""What happens in jobs and designs, pushed to open pages and scripts."""

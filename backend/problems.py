@@ -1,0 +1,130 @@
+"""Every error of the API in one form: what is wrong, with which entry, and how to mend it."""
+
+import logging
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse
+from pydantic import BaseModel, Field
+from starlette.exceptions import HTTPException
+
+from actuators.errors import InputError
+
+log = logging.getLogger(__name__)
+
+
+class ProblemDetail(BaseModel):
+    """What is wrong."""
+
+    message: str = Field(description="One or two sentences, ready to be shown")
+    field: str = Field(description="Name of the offending entry, or empty")
+    value: str = Field(description="What was given, in border units, or empty")
+    mend: str = Field(description="What to do about it, or empty")
+
+
+class Problem(BaseModel):
+    """Body of every 4xx and 5xx answer."""
+
+    detail: ProblemDetail
+
+
+class NotFound(Exception):
+    """An identifier that names nothing the caller may see."""
+
+    def __init__(self, what: str, identifier: str, mend: str = "") -> None:
+        super().__init__(f"There is no {what} {identifier!r}.")
+        self.what = what
+        self.identifier = identifier
+        self.mend = mend or f"Check the address, or choose a {what} from the list."
+
+
+class Conflict(Exception):
+    """A request that the present state does not allow."""
+
+    def __init__(self, message: str, *, field: str = "", mend: str = "") -> None:
+        super().__init__(message)
+        self.field = field
+        self.mend = mend
+
+
+PROBLEMS: dict[int | str, dict[str, Any]] = {
+    404: {"model": Problem, "description": "There is no such thing"},
+    422: {"model": Problem, "description": "Input that cannot be used"},
+}
+
+
+def problem(
+    status: int, message: str, *, field: str = "", value: str = "", mend: str = ""
+) -> JSONResponse:
+    """The one form of an error answer."""
+    detail = ProblemDetail(message=message, field=field, value=value[:200], mend=mend)
+    return JSONResponse(Problem(detail=detail).model_dump(), status_code=status)
+
+
+def install(app: FastAPI) -> None:
+    """Bring every exception to the one form."""
+
+    def on_input(_: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, InputError):
+            raise error
+        return problem(422, str(error), field=error.field, value=error.value, mend=error.mend)
+
+    def on_validation(_: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, RequestValidationError):
+            raise error
+        return _of_validation(error)
+
+    def on_missing(_: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, NotFound):
+            raise error
+        return problem(404, str(error), field=error.what, value=error.identifier, mend=error.mend)
+
+    def on_conflict(_: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, Conflict):
+            raise error
+        return problem(409, str(error), field=error.field, mend=error.mend)
+
+    def on_http(request: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, HTTPException):
+            raise error
+        message, mend = str(error.detail), ""
+        if error.status_code == 404:
+            message = f"There is nothing at {request.url.path}."
+            mend = "The API is described at /api/openapi.json."
+        elif error.status_code == 405:
+            message = f"{request.url.path} does not take {request.method}."
+            mend = "The API is described at /api/openapi.json."
+        answer = problem(error.status_code, message, mend=mend)
+        answer.headers.update(error.headers or {})
+        return answer
+
+    def on_crash(request: Request, error: Exception) -> JSONResponse:
+        log.error("%s %s failed", request.method, request.url.path, exc_info=error)
+        return problem(
+            500, "The studio failed to answer; nothing was stored.",
+            mend="Try again; the server's log holds the reason.",
+        )  # fmt: skip
+
+    app.add_exception_handler(InputError, on_input)
+    app.add_exception_handler(RequestValidationError, on_validation)
+    app.add_exception_handler(NotFound, on_missing)
+    app.add_exception_handler(Conflict, on_conflict)
+    app.add_exception_handler(HTTPException, on_http)
+    app.add_exception_handler(Exception, on_crash)
+
+
+def _of_validation(error: RequestValidationError) -> JSONResponse:
+    first = error.errors()[0]
+    where = [str(part) for part in first["loc"]]
+    path = where[1:] if where and where[0] in ("body", "query", "path", "header") else where
+    field = ".".join(path) or "body"
+    given = first.get("input")
+    reason = str(first["msg"]).rstrip(".")
+    missing = first["type"] == "missing"
+    shown = "" if missing else repr(given)[:120]
+    message = f"{field} is missing." if missing else f"{field} is {shown}: {reason}."
+    mend = f"Give {field}." if missing else f"Correct {field}; see /api/openapi.json."
+    if first["type"] == "extra_forbidden":
+        mend = f"Remove {field}."
+    return problem(422, message, field=field, value=shown, mend=mend)

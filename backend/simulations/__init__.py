@@ -1,0 +1,1 @@
+"""Answers: the instant rungs at once, finite elements as jobs."""

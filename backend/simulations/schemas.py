@@ -1,0 +1,122 @@
+"""What the simulations feature takes and gives."""
+
+from datetime import datetime
+from typing import Annotated, Literal
+
+from pydantic import ConfigDict, Field
+
+from backend.documents import Answer, Body, DesignDocument, SceneDocument, Triple
+
+InstantRung = Literal["closed-form", "energy"]
+JobState = Literal["queued", "running", "done", "failed", "cancelled"]
+
+
+class PathPoint(Answer):
+    """State at one pressure; null where the rung cannot know a quantity."""
+
+    model_config = ConfigDict(extra="allow")
+
+    pressure_kPa: float | None
+    tip_mm: Triple = Field(description="Tip point X1, X2, X3 [mm]")
+    tip_displacement_mm: Triple = Field(description="From the undeformed tip point [mm]")
+    tip_rotation_deg: float | None = Field(description="Of the end face about X2 [deg]")
+    bending_angle_deg: float | None = Field(
+        description="Line clamp to tip point against X1, positive towards the bottom layer [deg]"
+    )
+    curvature_per_m: float | None
+    torsion_per_m: float | None
+    helix_radius_mm: float | None = None
+    helix_pitch_mm: float | None = None
+    cavity_volume_ml: float | None = None
+    max_principal_stretch: float | None = None
+    plate_force_N: float | None = None
+
+
+class EffectNote(Answer):
+    """One physical effect: on or off, and why."""
+
+    name: str
+    on: bool
+    reason: str
+    estimated_change_percent: float | None
+    cost_s: float | None = Field(description="[s]")
+
+
+class ResultDocument(Answer):
+    """Answer of one rung, as `pneustudio predict --json` prints it."""
+
+    model_config = ConfigDict(extra="allow")
+
+    design: DesignDocument
+    scene: SceneDocument
+    rung: str
+    outcome: str = Field(description="converged, limit_point, stalled, cancelled or budget_spent")
+    advice: str | None = Field(description="What to do about an early end")
+    path: list[PathPoint] = Field(description="From zero pressure on, after gravity")
+    error_estimate_percent: float | None = Field(description="Of the tip's displacement [%]")
+    wall_s: float | None = Field(description="Time of the solve [s]")
+    unknowns: int
+    newton_iterations: int
+    effects: list[EffectNote]
+    assumptions: list[str]
+    notes: list[str] = Field(default=[], description="Findings a designer must read")
+
+
+class PredictRequest(Body):
+    """A question the instant rungs answer at once."""
+
+    design: DesignDocument
+    scene: SceneDocument
+    rung: InstantRung = "energy"
+    c: Literal["computed", "published"] | Annotated[float, Field(gt=0, le=100)] = Field(
+        default="computed",
+        description="Constant of the energy model: computed from the cell, the published one, or "
+        "a number (dimensionless)",
+    )
+
+
+class Prediction(Answer):
+    """An instant answer and how long its stages took."""
+
+    result: ResultDocument
+    timings_ms: dict[str, float] = Field(description="Milliseconds by stage; `total` is all [ms]")
+
+
+class NewJob(Body):
+    """A question for the queue."""
+
+    version_id: str
+    scene: SceneDocument | None = Field(
+        default=None, description="The version's own scene when left out"
+    )
+    rung: Literal["fe"] = "fe"
+    accuracy: float = Field(
+        default=0.05, ge=0.001, le=0.5, description="Wanted accuracy as a fraction: 0.05 is 5 %"
+    )
+
+
+class Job(Answer):
+    """A job: what was asked, how far it is, how it ended."""
+
+    id: str
+    version_id: str
+    design_id: str
+    design_name: str
+    version_number: int
+    rung: str
+    accuracy: float = Field(description="Fraction: 0.05 is 5 %")
+    pressure_to_kPa: float | None = Field(description="End of the path asked for [kPa]")
+    state: JobState
+    outcome: str | None = Field(description="Of a done job, as in a result document")
+    advice: str | None
+    fraction: float = Field(description="Progress, 0 to 1")
+    message: str
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+    elapsed_s: float | None = Field(description="Since the start, or from start to end [s]")
+    attempt: int
+    from_store: bool = Field(description="True when a stored result answered it without a solve")
+    cancelling: bool = Field(description="True while a running job was asked to stop")
+    author: str
+    error: str | None = Field(description="Why a failed job failed")

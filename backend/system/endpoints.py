@@ -1,0 +1,15 @@
+"""GET /api/health."""
+
+from fastapi import APIRouter
+
+from backend.system import service
+from backend.system.schemas import Health
+from backend.wiring import Storage
+
+router = APIRouter(tags=["system"])
+
+
+@router.get("/health")
+def get_health(store: Storage) -> Health:
+    """Whether the service, its database and a worker answer."""
+    return service.health(store)

@@ -1,0 +1,85 @@
+"""What the viewer feature takes and gives."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from backend.documents import Answer, Body, DesignDocument, SceneDocument
+
+Colour = Literal["displacement", "stretch", "stress", "none"]
+Camera = Literal["three-quarter", "side", "top", "front"]
+
+
+class NewView(Body):
+    """How a view begins."""
+
+    dark: bool = Field(default=False, description="Dark background")
+
+
+class View(Answer):
+    """A view: show `url` in an iframe."""
+
+    view_id: str
+    url: str
+
+
+class InstantSource(Body):
+    """Show the instant answer of the energy model."""
+
+    kind: Literal["instant"]
+    design: DesignDocument
+    scene: SceneDocument
+
+
+class JobSource(Body):
+    """Show the stored result of a finished job."""
+
+    kind: Literal["job"]
+    job_id: str
+
+
+class ContentRequest(Body):
+    """What a view shows. Sending the same again is harmless."""
+
+    source: Annotated[InstantSource | JobSource, Field(discriminator="kind")]
+    colour: Colour = "displacement"
+    undeformed: bool = Field(default=True, description="Show the undeformed body as well")
+    frame: int | None = Field(
+        default=None, ge=0, le=1000,
+        description="Index to show first; the one shown before, or the last, when left out",
+    )  # fmt: skip
+
+
+class Legend(Answer):
+    """Colour scale of what is shown."""
+
+    label: str
+    unit: str
+    lower: float = Field(description="Value at position 0, in `unit`")
+    upper: float = Field(description="Value at position 1, in `unit`")
+    stops: list[tuple[float, str]] = Field(description="[position 0..1, '#rrggbb']")
+
+
+class Content(Answer):
+    """What a view now shows."""
+
+    pressures_kPa: list[float] = Field(description="Pressure of every frame [kPa]")
+    frame: int = Field(description="Index now visible")
+    colour: Colour = Field(description="Colour used; 'none' when the source lacks the one asked")
+    colours: list[Colour] = Field(description="Colours this source can show")
+    legend: Legend | None = Field(description="Null for colour 'none'")
+    vertices: int = Field(description="Vertices of one frame")
+    timings_ms: dict[str, float] = Field(description="Milliseconds by stage [ms]")
+
+
+class FrameRequest(Body):
+    """Which frame to show."""
+
+    index: int = Field(ge=0, le=1000, description="Index into `pressures_kPa`")
+
+
+class AppearanceRequest(Body):
+    """Light or dark, and where the camera stands; what is left out stays."""
+
+    dark: bool | None = None
+    camera: Camera | None = None

@@ -1,0 +1,38 @@
+"""What endpoints are handed: the store, the queue, the rooms, the feed, who is asking."""
+
+from typing import Annotated
+
+from fastapi import Depends
+from starlette.requests import HTTPConnection
+
+from backend.live.feed import EventFeed
+from backend.simulations.queue import TaskQueue
+from backend.viewer.rooms import RoomKeeper
+from storage import Store
+
+
+def _store(connection: HTTPConnection) -> Store:
+    return connection.app.state.store
+
+
+def _author(connection: HTTPConnection) -> str:
+    return connection.app.state.settings.author
+
+
+def _queue(connection: HTTPConnection) -> TaskQueue:
+    return connection.app.state.queue
+
+
+def _rooms(connection: HTTPConnection) -> RoomKeeper:
+    return connection.app.state.rooms
+
+
+def _feed(connection: HTTPConnection) -> EventFeed:
+    return connection.app.state.feed
+
+
+Storage = Annotated[Store, Depends(_store)]
+Author = Annotated[str, Depends(_author)]
+Queue = Annotated[TaskQueue, Depends(_queue)]
+Rooms = Annotated[RoomKeeper, Depends(_rooms)]
+Feed = Annotated[EventFeed, Depends(_feed)]
