@@ -1,0 +1,14 @@
+"""Hyperelastic laws and the catalogue of rubbers."""
+
+from actuators.materials.catalogue import CATALOGUE, material
+from actuators.materials.law import HyperelasticLaw
+from actuators.materials.linear import LinearElastic
+from actuators.materials.material import Material
+from actuators.materials.neo_hooke import NeoHooke
+from actuators.materials.ogden import Ogden
+from actuators.materials.yeoh import Yeoh
+
+__all__ = [
+    "CATALOGUE", "HyperelasticLaw", "LinearElastic", "Material", "NeoHooke", "Ogden", "Yeoh",
+    "material",
+]  # fmt: skip
