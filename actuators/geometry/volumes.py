@@ -1,0 +1,107 @@
+"""Volumes of rubber and air in closed form, and the masses that follow: to check meshes, surfaces
+and moulds against, and to weigh out the silicone."""
+
+import math
+from dataclasses import dataclass
+
+from actuators.design.base import Design
+from actuators.design.oblique import ObliqueDesign
+from actuators.design.slab import SlabDesign
+
+
+@dataclass(frozen=True)
+class Volumes:
+    """Undeformed volumes [m3]: rubber of the bottom layer, rubber above it, air under pressure."""
+
+    bottom: float
+    top: float
+    cavity: float
+
+    @property
+    def rubber(self) -> float:
+        """Both castings together [m3]."""
+        return self.bottom + self.top
+
+
+def exact_volumes(design: Design) -> Volumes:
+    """Volumes of the design itself, arcs and shear included; no mesh involved."""
+    if isinstance(design, SlabDesign):
+        return _slab(design)
+    if isinstance(design, ObliqueDesign):
+        return _oblique(design)
+    raise TypeError(f"no volumes for {type(design).__name__}")
+
+
+def masses(design: SlabDesign | ObliqueDesign) -> tuple[float, float]:
+    """Mass of the bottom layer and of the rubber above it [kg]."""
+    from actuators.materials import material
+
+    volumes = exact_volumes(design)
+    return (
+        volumes.bottom * material(design.bottom_material).density,
+        volumes.top * material(design.top_material).density,
+    )
+
+
+def planform_area(design: SlabDesign, start: float, end: float, *, inset: float = 0.0) -> float:
+    """Area between X1 = ``start`` and ``end`` inside the outline moved inwards across the body by
+    ``inset`` on either side [m2]."""
+    return 2 * (_half_area(design, end) - _half_area(design, start) - inset * (end - start))
+
+
+def slab_planform_area(design: SlabDesign) -> float:
+    """Area of the whole outline [m2]."""
+    return planform_area(design, 0.0, design.length)
+
+
+def slab_cavity_area(design: SlabDesign) -> float:
+    """Area of the chambers and the channel between them, seen from above [m2]."""
+    chambers = sum(
+        planform_area(design, start, start + design.chamber_length, inset=design.side_wall)
+        for start in map(float, design.chamber_starts())
+    )
+    walls = (design.chamber_count - 1) * design.wall_length
+    return chambers + walls * design.channel_width
+
+
+def _slab(design: SlabDesign) -> Volumes:
+    planform = slab_planform_area(design)
+    cavity = slab_cavity_area(design) * design.chamber_height
+    return Volumes(
+        bottom=planform * design.bottom_thickness,
+        top=planform * (design.chamber_height + design.roof_thickness) - cavity,
+        cavity=cavity,
+    )
+
+
+def _half_area(design: SlabDesign, x: float) -> float:
+    """Integral of the half width from the clamp to ``x`` [m2]."""
+    half = design.width / 2
+    if design.planform == "rectangle":
+        return half * x
+    if design.planform == "triangle":
+        return half * x + (design.tip_width / 2 - half) / design.length * x**2 / 2
+    radius, middle = design.side_radius, design.length / 2
+    return (half - radius) * x + _arc(x - middle, radius) - _arc(-middle, radius)
+
+
+def _arc(s: float, radius: float) -> float:
+    """Antiderivative of sqrt(radius^2 - s^2)."""
+    return (s * math.sqrt(radius**2 - s**2) + radius**2 * math.asin(s / radius)) / 2
+
+
+def _oblique(design: ObliqueDesign) -> Volumes:
+    # shear along the axis keeps every area, so the angle does not enter
+    n, width = design.chamber_count, design.width
+    area = design.length * width
+    open_gaps = n * 2 * design.half_gap * width * (design.wall_height + design.roof_thickness)
+    chambers = n * 2 * design.half_chamber * design.chamber_width * design.chamber_height
+    links = (n - 1) * 2 * (design.wall_thickness + design.half_gap)
+    channel = 0.0
+    if design.channel_width > 0:
+        channel = links * design.channel_width * design.channel_height
+    cavity = chambers + channel
+    above = area * (design.height - design.bottom_thickness)
+    return Volumes(
+        bottom=area * design.bottom_thickness, top=above - open_gaps - cavity, cavity=cavity
+    )
