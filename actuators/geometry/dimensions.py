@@ -1,0 +1,165 @@
+"""Dimension lines of a drawing: which length in the picture belongs to which parameter. In mm."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from actuators.design.base import Design
+from actuators.design.oblique import ObliqueDesign
+from actuators.design.slab import SlabDesign
+
+View = Literal["section", "planform"]
+Point = tuple[float, float]
+
+NEAR, FAR = 5.0, 11.0
+"""Distance of dimension lines from the body [mm]."""
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """One dimension line. ``start`` and ``end`` are its arrow tips; ``anchors`` the points on the
+    body that it measures, from which witness lines run to the tips. An angle turns from ``start``
+    to ``end`` about ``centre``; a radius points from ``start`` towards the arc at ``end``."""
+
+    parameter: str
+    view: View
+    start: Point
+    end: Point
+    anchors: tuple[Point, ...] = ()
+    kind: Literal["distance", "angle", "radius"] = "distance"
+    centre: Point | None = None
+
+
+def dimensions(design: Design) -> list[Dimension]:
+    """A dimension for every geometric parameter that the design's picture shows."""
+    if isinstance(design, SlabDesign):
+        return _slab(design)
+    if isinstance(design, ObliqueDesign):
+        return _oblique(design)
+    raise TypeError(f"no drawing for {type(design).__name__}")
+
+
+def _along(
+    parameter: str, view: View, start: float, end: float, level: float, body: tuple[float, float]
+) -> Dimension:
+    """Horizontal line at height ``level`` between X1 = start and end; ``body``: where the witness
+    lines touch the body at either end."""
+    anchors = ((start, body[0]), (end, body[1]))
+    return Dimension(parameter, view, (start, level), (end, level), anchors)
+
+
+def _across(
+    parameter: str, view: View, low: float, high: float, x: float, body: tuple[float, float]
+) -> Dimension:
+    """Vertical line at X1 = ``x`` between two heights; ``body``: X1 of its witness points."""
+    anchors = ((body[0], low), (body[1], high))
+    return Dimension(parameter, view, (x, low), (x, high), anchors)
+
+
+def _layers(names: dict[str, float]) -> list[Dimension]:
+    """Chain of thicknesses at the clamp end, from the underside up."""
+    chain: list[Dimension] = []
+    low = 0.0
+    for name, thickness in names.items():
+        high = low + thickness * 1e3
+        chain.append(_across(name, "section", low, high, -NEAR, (0.0, 0.0)))
+        low = high
+    return chain
+
+
+def _slab(design: SlabDesign) -> list[Dimension]:
+    def half(x: float) -> float:
+        return float(design.half_width(x / 1e3)) * 1e3
+
+    n, length, width = design.chamber_count, design.length * 1e3, design.width * 1e3
+    chamber, wall = design.chamber_length * 1e3, design.wall_length * 1e3
+    first = design.root_wall * 1e3
+    last = length - design.tip_wall * 1e3
+    above, below = width / 2 + NEAR, -width / 2 - NEAR
+    ends = (-half(0.0), -half(length))
+    widest = length / 2 if design.planform == "ellipse" else 0.0
+    arm = first + chamber / 2
+    channel_x = first + chamber + wall / 2 if n > 1 else arm
+    channel = design.channel_width * 1e3 / 2
+    lines = [
+        _along("length", "planform", 0.0, length, below, ends),
+        _across("width", "planform", -width / 2, width / 2, -NEAR, (widest, widest)),
+        _along("root_wall", "planform", 0.0, first, above, (half(0.0), half(first))),
+        _along("chamber_count", "planform", first, last, above, (half(first), half(last))),
+        _along("tip_wall", "planform", last, length, above, (half(last), half(length))),
+        _across("channel_width", "planform", -channel, channel, channel_x, (channel_x, channel_x)),
+        _across(
+            "side_wall", "planform", half(arm) - design.side_wall * 1e3, half(arm), arm, (arm, arm)
+        ),
+        *_layers(
+            {"bottom_thickness": design.bottom_thickness,
+             "chamber_height": design.chamber_height,
+             "roof_thickness": design.roof_thickness}
+        ),
+    ]  # fmt: skip
+    if n > 1:
+        start = first + chamber
+        level = (channel + half(start) - design.side_wall * 1e3) / 2
+        lines.append(_along("wall_ratio", "planform", start, start + wall, level, (level, level)))
+    if design.planform == "triangle":
+        tip = half(length)
+        lines.append(
+            _across("tip_width", "planform", -tip, tip, length + NEAR, (length, length))
+        )  # fmt: skip
+    if design.planform == "ellipse":
+        lines.append(_side_radius(design))
+    return lines
+
+
+def _side_radius(design: SlabDesign) -> Dimension:
+    length, radius = design.length * 1e3, design.side_radius * 1e3
+    centre = (length / 2, design.width * 500 - radius)
+    x = 0.75 * length
+    end = (x, float(design.half_width(x / 1e3)) * 1e3)
+    reach = min(0.4 * length, radius) / radius
+    start = (end[0] + reach * (centre[0] - end[0]), end[1] + reach * (centre[1] - end[1]))
+    return Dimension("side_radius", "planform", start, end, (end,), "radius", centre)
+
+
+def _oblique(design: ObliqueDesign) -> list[Dimension]:
+    n, length, width = design.chamber_count, design.length * 1e3, design.width * 1e3
+    t1, t2, t3 = design.half_gap * 1e3, design.wall_thickness * 1e3, design.half_chamber * 1e3
+    height, roof = design.height * 1e3, (design.height - design.roof_thickness) * 1e3
+    centres = design.chamber_centres() * 1e3
+    middle, last = float(centres[n // 2]), float(centres[-1])
+    gap = middle - t1 - t2 - t3
+    foot = (design.bottom_thickness + design.foot_height) * 1e3
+    first_block, last_block = float(centres[0]) - t2 - t3, last + t2 + t3
+    half, side = design.chamber_width * 500, width / 2
+    skew = design.cot_theta
+    reach = 0.75 * width
+    lines = [
+        _along("length", "planform", 0.0, length, -side - NEAR, (-side, -side)),
+        _across("width", "planform", -side, side, -NEAR, (0.0, 0.0)),
+        _along("chamber_count", "section", first_block, last_block, height + FAR, (height, height)),
+        _across(
+            "chamber_width", "planform", -half, half, length + NEAR,
+            (last - skew * half, last + skew * half),
+        ),
+        _along("half_gap", "section", gap, gap + t1, height + NEAR, (foot, height)),
+        _along("wall_thickness", "section", gap + t1, gap + t1 + t2, height + NEAR, (height, roof)),
+        _along("half_chamber", "section", middle - t3, middle, height + NEAR, (roof, roof)),
+        Dimension(
+            "theta", "planform", (middle + reach, 0.0),
+            (middle + reach * math.cos(design.theta), reach * math.sin(design.theta)),
+            kind="angle", centre=(middle, 0.0),
+        ),
+        *_layers(
+            {"bottom_thickness": design.bottom_thickness, "foot_height": design.foot_height,
+             "wall_height": design.wall_height, "roof_thickness": design.roof_thickness}
+        ),
+        _across("inlet_height", "section", 0.0, design.inlet_height * 1e3, -FAR, (0.0, 0.0)),
+    ]  # fmt: skip
+    if design.channel_width > 0 and n > 1:
+        channel, bottom = design.channel_width * 500, design.bottom_thickness * 1e3
+        top = bottom + design.channel_height * 1e3
+        lines += [
+            _across("channel_width", "planform", -channel, channel, gap, (gap, gap)),
+            _across("channel_height", "section", bottom, top, gap, (gap, gap)),
+        ]
+    return lines
