@@ -1,0 +1,20 @@
+"""The database behind the studio: the only room that knows SQLAlchemy."""
+
+from storage.errors import HistoryError, NotFoundError
+from storage.rows import (
+    ClaimedJob,
+    DesignRow,
+    EventRow,
+    Hold,
+    JobRow,
+    JobState,
+    ResultRow,
+    VersionRow,
+    WorkerRow,
+)  # fmt: skip
+from storage.store import Store, open_store
+
+__all__ = [
+    "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow", "JobState",
+    "NotFoundError", "ResultRow", "Store", "VersionRow", "WorkerRow", "open_store",
+]  # fmt: skip

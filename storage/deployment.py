@@ -1,0 +1,89 @@
+"""Where a studio keeps its things, as web, worker and supervisor must agree on it.
+
+PNEUSTUDIO_DATA is the folder of an embedded studio; PNEUSTUDIO_DATABASE (SQLAlchemy address) and
+PNEUSTUDIO_BROKER (Celery address, ``redis://...`` or ``filesystem:///folder``) default to places
+inside it.
+"""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+from platformdirs import user_data_path
+
+TASK = "pneustudio.solve"
+QUEUE = "pneustudio"
+
+
+@dataclass(frozen=True)
+class Deployment:
+    """``database`` and ``broker`` are addresses, ``data`` the folder."""
+
+    data: Path
+    database: str
+    broker: str
+
+    @property
+    def embedded(self) -> bool:
+        """Everything in the data folder: one machine, no server."""
+        return self.database.startswith("sqlite") and self.broker.startswith("filesystem")
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """What child processes need in order to find the same places."""
+        return {
+            "PNEUSTUDIO_DATA": str(self.data),
+            "PNEUSTUDIO_DATABASE": self.database,
+            "PNEUSTUDIO_BROKER": self.broker,
+        }
+
+
+def deployment(environment: Mapping[str, str] | None = None) -> Deployment:
+    """Read the environment (of this process if None)."""
+    env = os.environ if environment is None else environment
+    data = Path(env.get("PNEUSTUDIO_DATA") or user_data_path("pneustudio", appauthor=False))
+    data = data.expanduser().resolve()
+    queue = (data / "queue").as_uri().replace("file", "filesystem", 1)
+    return Deployment(
+        data=data,
+        database=env.get("PNEUSTUDIO_DATABASE") or f"sqlite:///{data / 'pneustudio.sqlite'}",
+        broker=env.get("PNEUSTUDIO_BROKER") or queue,
+    )
+
+
+def celery_settings(broker: str) -> dict[str, Any]:
+    """Settings that sender and worker share: ``Celery("pneustudio").conf.update(...)``.
+
+    The task is sent by name: ``app.send_task(TASK, args=[job_id])``. A message only wakes a
+    worker; a lost or a doubled one does no harm (see ``storage.claims``).
+    """
+    settings: dict[str, Any] = {
+        "broker_url": broker,
+        "task_default_queue": QUEUE,
+        "task_ignore_result": True,
+        "task_serializer": "json",
+        "accept_content": ["json"],
+        "broker_connection_retry_on_startup": True,
+    }
+    if urlsplit(broker).scheme == "filesystem":
+        folder = Path(unquote(urlsplit(broker).path))
+        messages, taken, control = folder / "messages", folder / "taken", folder / "control"
+        for each in (messages, taken, control):
+            each.mkdir(parents=True, exist_ok=True)
+        settings |= {
+            "broker_url": "filesystem://",
+            "broker_transport_options": {
+                "data_folder_in": str(messages),
+                "data_folder_out": str(messages),
+                # taken messages are kept: moving within one folder is atomic, and the
+                # alternative is the machine's temporary folder
+                "store_processed": True,
+                "processed_folder": str(taken),
+                "control_folder": str(control),
+                "polling_interval": 0.2,
+            },
+        }
+    return settings

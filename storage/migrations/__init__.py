@@ -1,0 +1,1 @@
+"""Steps that lead from an empty database to ``storage.tables``, run by ``Store.migrate``."""

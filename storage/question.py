@@ -1,0 +1,68 @@
+"""The question a result answers: (design, scene, rung, accuracy, version of the science)."""
+
+import hashlib
+import json
+import math
+from functools import cache
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+
+from actuators.errors import QuestionError
+
+# rungs that workers compute; `worker.rungs` has one solver for each
+JOB_RUNGS = ("fe", "energy", "closed-form")
+DEFAULT_BUDGET_S = 2 * 3600.0
+# what leaves the answer open: such a result is shown, but the same question is computed again
+OPEN_OUTCOMES = ("cancelled", "budget_spent")
+
+_SCIENCE = ("design", "materials", "geometry", "meshing", "mechanics")
+
+
+def question_digest(
+    design_digest: str, scene_digest: str, rung: str, accuracy: float, science_version: str
+) -> str:
+    """sha256 that names a question; equal questions have equal answers."""
+    parts = [design_digest, scene_digest, rung, float(accuracy), science_version]
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()
+
+
+def check_question(rung: str, accuracy: object) -> None:
+    """Raise :class:`QuestionError` for a rung or an accuracy that no worker can serve."""
+    if rung not in JOB_RUNGS:
+        raise QuestionError(
+            f"rung is {rung!r}; jobs compute one of {', '.join(JOB_RUNGS)}.",
+            field="rung", value=repr(rung), mend=f"Use one of {', '.join(JOB_RUNGS)}.",
+        )  # fmt: skip
+    if (
+        isinstance(accuracy, bool)
+        or not isinstance(accuracy, (int, float))
+        or not math.isfinite(accuracy)
+        or not 0.001 <= accuracy <= 0.5
+    ):
+        raise QuestionError(
+            f"accuracy is {accuracy!r}; it must lie between 0.001 (0.1 %) and 0.5 (50 %).",
+            field="accuracy", value=repr(accuracy), mend="For example 0.05, five per cent.",
+        )  # fmt: skip
+
+
+@cache
+def science_version() -> str:
+    """sha256 of the sources that decide an answer: a changed formula never finds old answers."""
+    content = hashlib.sha256()
+    root = files("actuators")
+    for room in _SCIENCE:
+        for name, source in _sources(root / room, room):
+            content.update(f"{name}\0{len(source)}\0".encode())
+            content.update(source)
+    return content.hexdigest()
+
+
+def _sources(folder: Traversable, name: str) -> list[tuple[str, bytes]]:
+    found: list[tuple[str, bytes]] = []
+    for entry in sorted(folder.iterdir(), key=lambda e: e.name):
+        path = f"{name}/{entry.name}"
+        if entry.is_dir() and entry.name != "__pycache__":
+            found.extend(_sources(entry, path))
+        elif entry.name.endswith(".py"):
+            found.append((path, entry.read_bytes()))
+    return found

@@ -1,0 +1,158 @@
+"""What comes out of the database: frozen rows, times in UTC, SI."""
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from enum import StrEnum
+from typing import Any, Literal
+
+JobState = Literal["queued", "running", "done", "failed", "cancelled"]
+
+
+@dataclass(frozen=True)
+class DesignRow:
+    """A named design. ``updated_at``: time of its newest version, ``latest_version_id``."""
+
+    id: str
+    name: str
+    author: str
+    created_at: datetime
+    archived_at: datetime | None
+    forked_from: str | None
+    updated_at: datetime
+    latest_version_id: str
+    version_count: int
+    family: str
+
+    @property
+    def archived(self) -> bool:
+        return self.archived_at is not None
+
+
+@dataclass(frozen=True)
+class VersionRow:
+    """One state in a design's history; never changed except for its label.
+
+    ``document`` and ``scene`` are in border units, canonical, so that equal ones compare equal.
+    """
+
+    id: str
+    design_id: str
+    number: int
+    parent_id: str | None
+    author: str
+    created_at: datetime
+    note: str
+    label: str | None
+    document: dict[str, Any]
+    scene: dict[str, Any]
+    design_digest: str
+    scene_digest: str
+
+
+@dataclass(frozen=True)
+class JobRow:
+    """A question put to the queue. ``pressure`` [Pa] is how far the solver got.
+
+    ``digest`` names the question and, once done, its result (:meth:`Store.get_result`).
+    ``from_store``: answered by a result that another job had computed. ``follows``: the job that
+    computes the same question for another version. ``lost``: attempts whose worker vanished.
+    """
+
+    id: str
+    version_id: str
+    design_id: str
+    design_name: str
+    author: str
+    scene: dict[str, Any]
+    rung: str
+    accuracy: float
+    science_version: str
+    design_digest: str
+    scene_digest: str
+    digest: str
+    budget_s: float
+    state: JobState
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+    fraction: float
+    message: str
+    pressure: float | None
+    outcome: str | None
+    advice: str | None
+    error: str | None
+    from_store: bool
+    follows: str | None
+    attempt: int
+    lost: int
+    worker: str | None
+    cancel_requested: bool
+
+    @property
+    def active(self) -> bool:
+        return self.state in ("queued", "running")
+
+    def elapsed_s(self, now: datetime | None = None) -> float | None:
+        """Seconds computed so far, or in all; None before the start."""
+        if self.started_at is None:
+            return None
+        return ((self.finished_at or now or datetime.now(UTC)) - self.started_at).total_seconds()
+
+
+@dataclass(frozen=True)
+class ClaimedJob:
+    """What a worker needs to compute a job it holds. Every write names ``attempt``."""
+
+    id: str
+    attempt: int
+    design: dict[str, Any]
+    scene: dict[str, Any]
+    rung: str
+    accuracy: float
+    digest: str
+    budget_s: float
+
+
+class Hold(StrEnum):
+    """What a worker's claim is worth: still held, to be given up for a cancel, or gone."""
+
+    HELD = "held"
+    CANCEL = "cancel"
+    GONE = "gone"
+
+
+@dataclass(frozen=True)
+class ResultRow:
+    """A stored answer; ``document`` as ``predict --json``, ``artifact_sha256`` its arrays."""
+
+    digest: str
+    design_digest: str
+    scene_digest: str
+    rung: str
+    accuracy: float
+    science_version: str
+    outcome: str
+    document: dict[str, Any]
+    artifact_sha256: str | None
+    created_at: datetime
+
+
+@dataclass(frozen=True)
+class EventRow:
+    """Something that happened. ``kind`` "job": ``subject`` is a job id; "history": a design id."""
+
+    seq: int
+    at: datetime
+    kind: Literal["job", "history"]
+    subject: str
+    data: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class WorkerRow:
+    """A worker process that has reported itself."""
+
+    name: str
+    science_version: str
+    started_at: datetime
+    last_seen: datetime

@@ -1,0 +1,33 @@
+"""The store: everything the other rooms may ask of the database."""
+
+from importlib.resources import as_file, files
+
+from alembic import command
+from alembic.config import Config
+
+from storage.claims import Claims
+from storage.designs import Designs
+from storage.workers import Workers
+
+
+class Store(Designs, Claims, Workers):
+    """Designs, jobs, results, events and workers in one database.
+
+    Every method is one transaction and may be called from any thread or process. Those that wait
+    for the database block: call them in a thread from async code.
+    """
+
+    def migrate(self) -> None:
+        """Bring the tables up to date; several processes may do so at once."""
+        with as_file(files("storage") / "migrations") as scripts, self._write() as connection:
+            config = Config(attributes={"connection": connection})
+            config.set_main_option("script_location", str(scripts).replace("%", "%%"))
+            command.upgrade(config, "head")
+
+
+def open_store(url: str) -> Store:
+    """Store on ``sqlite:////path/to/file`` or ``postgresql://user@host/database``.
+
+    Connects lazily. Not to be carried across a fork: open a new one in the child.
+    """
+    return Store(url)
