@@ -63,23 +63,32 @@ class DerivedValue(Answer):
     unit: str
 
 
-class DrawingPolygon(Answer):
-    """One filled outline."""
+class DrawingShape(Answer):
+    """One filled area, of rubber, cavity or open air between blocks."""
 
-    region: str = Field(description="Region's name, or 'cavity'")
-    material: str | None = Field(description="Key of the material; null for the cavity")
-    outline: list[Point] = Field(description="Closed outline, first point not repeated [mm]")
-    holes: list[list[Point]] = Field(description="Outlines cut out of this polygon [mm]")
+    kind: str
+    region: str | None = Field(description="Name of the region; null where there is no rubber")
+    material: str | None = Field(description="Key of the material; null where there is none")
+    rings: list[list[Point]] = Field(description="Rings, not closed; fill by the even-odd rule")
 
 
 class DrawingView(Answer):
-    """One view: the section is X1 (right) and X3 (up) on the middle plane; the planform is X1
-    (right) and X2 (up) at the height of the chambers."""
+    """One view, in millimetres; shapes are drawn in this order."""
 
-    name: Literal["section", "planform"]
-    lower: Point = Field(description="Lower left corner of all polygons [mm]")
-    upper: Point = Field(description="Upper right corner of all polygons [mm]")
-    polygons: list[DrawingPolygon]
+    title: str
+    horizontal: str = Field(description="Axis to the right: 'X1'")
+    vertical: str = Field(description="Axis upwards: 'X3' or 'X2'")
+    bounds: list[float] = Field(
+        min_length=4, max_length=4, description="left, bottom, right, top of all drawn [mm]"
+    )
+    shapes: list[DrawingShape]
+
+
+class DrawingViews(Answer):
+    """Section on the middle plane and planform at the height of the chambers."""
+
+    section: DrawingView
+    planform: DrawingView
 
 
 class DimensionLine(Answer):
@@ -87,15 +96,32 @@ class DimensionLine(Answer):
 
     parameter: str = Field(description="Plain name of the parameter")
     view: Literal["section", "planform"]
-    from_: Point = Field(alias="from", description="[mm, mm] in the view")
-    to: Point = Field(description="[mm, mm] in the view")
+    kind: Literal["distance", "angle", "radius"] = Field(
+        description="An angle turns from `from` to `to` about `centre`; a radius points from "
+        "`from` to the arc at `to`"
+    )
+    label: str = Field(description="Symbol and value, with the unit")
+    from_: Point = Field(alias="from", description="Arrow tip")
+    to: Point = Field(description="Arrow tip")
+    anchors: list[Point] = Field(description="Points on the body, for witness lines")
+    centre: Point | None = Field(default=None, description="Of an angle or a radius")
+
+
+class DrawingRegion(Answer):
+    """Which material parameter colours which region."""
+
+    name: str
+    parameter: str = Field(description="Plain name of the material parameter")
+    material: str = Field(description="Key of the material")
 
 
 class Drawing(Answer):
-    """Section and planform in millimetres."""
+    """Two views and their dimension lines."""
 
-    views: list[DrawingView]
+    unit: Literal["mm"]
+    views: DrawingViews
     dimensions: list[DimensionLine]
+    regions: list[DrawingRegion]
 
 
 class DesignCheck(Answer):
