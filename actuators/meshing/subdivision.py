@@ -9,8 +9,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-LAYER_RATIO = 0.25
-"""Thickness of a layer over that of the next one inwards."""
+FIRST_LAYER = 1 / 8
+"""Thickness of a single layer over that of the interval (or part) it is cut from."""
+LAYER_RATIO = 1 / 4
+"""Thickness of every further layer over that of the one before."""
 
 
 def subdivide(
@@ -24,7 +26,8 @@ def subdivide(
     """Increasing mesh lines that contain ``lines``.
 
     Every interval is cut into ``uniform`` equal parts (one number, or one per interval); then
-    ``layers`` times the outermost part at either end is cut at :data:`LAYER_RATIO`.
+    the outermost part at either end is cut ``layers`` times, at :data:`FIRST_LAYER` and, within the
+    layer, at :data:`LAYER_RATIO`.
     ``graded_first`` and ``graded_last`` say whether the two ends of the whole range get layers;
     inner lines always do.
     """
@@ -43,7 +46,7 @@ def subdivide(
 def _interval(parts: int, layers: int, at_start: bool, at_end: bool) -> np.ndarray:
     """Lines of one interval in [0, 1]."""
     inner = np.linspace(0.0, 1.0, parts + 1)
-    thin = LAYER_RATIO ** np.arange(layers, 0, -1) / parts
+    thin = FIRST_LAYER * LAYER_RATIO ** np.arange(layers - 1, -1, -1.0) / parts
     start = thin if at_start else np.empty(0)
     end = 1.0 - thin[::-1] if at_end else np.empty(0)
     return np.concatenate([[0.0], start, inner[1:-1], end, [1.0]])

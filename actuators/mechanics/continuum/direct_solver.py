@@ -1,0 +1,164 @@
+"""The door to the sparse direct solver: MKL Pardiso, or SuperLU where there is no MKL.
+
+The tangent is symmetric and, on the way to an answer, indefinite: LDL^T with Bunch-Kaufman pivots
+(``mtype=-2``); Cholesky would fail.
+"""
+
+import ctypes
+import sys
+import warnings
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+import scipy.sparse as sp
+import scipy.sparse.linalg as spla
+
+
+class FactorizationError(Exception):
+    """The matrix could not be factorised."""
+
+
+class SymmetricSolver(ABC):
+    """Factor of a symmetric matrix given by its upper triangle; the pattern never changes."""
+
+    @abstractmethod
+    def factorize(self, values: np.ndarray) -> None:
+        """Numerical factorisation of the matrix with these entries."""
+
+    @abstractmethod
+    def solve(self, right_side: np.ndarray) -> np.ndarray:
+        """Solution for (n,) or (n, k)."""
+
+    @property
+    @abstractmethod
+    def negative_eigenvalues(self) -> int | None:
+        """Number of negative eigenvalues of the factorised matrix, None where unknown."""
+
+
+def open_solver(indptr: np.ndarray, indices: np.ndarray) -> SymmetricSolver:
+    """The best solver this machine has for this pattern (upper triangle, sorted columns)."""
+    try:
+        return PardisoSolver(indptr, indices)
+    except ImportError:
+        warnings.warn(
+            "MKL Pardiso is not available: SuperLU takes over, several times slower. "
+            "Install pypardiso where it is offered (x86-64).",
+            stacklevel=2,
+        )
+        return SuperLuSolver(indptr, indices)
+
+
+class PardisoSolver(SymmetricSolver):
+    """MKL Pardiso; the symbolic analysis is done once and kept."""
+
+    def __init__(self, indptr: np.ndarray, indices: np.ndarray) -> None:
+        from pypardiso import PyPardisoSolver
+
+        # pypardiso finds and loads the library; its own calls copy the pattern every time
+        self._library = PyPardisoSolver(mtype=-2)
+        self._call = self._library.libmkl.pardiso  # type: ignore[union-attr]
+        self._size = len(indptr) - 1
+        self._ia = (indptr + 1).astype(np.int32)
+        self._ja = (indices + 1).astype(np.int32)
+        self._handle = np.zeros(64, dtype=np.int64)
+        self._perm = np.zeros(1, dtype=np.int32)
+        self._iparm = np.zeros(64, dtype=np.int32)
+        for number, value in _IPARM.items():
+            self._iparm[number - 1] = value
+        self._values = np.zeros(len(indices))
+        self._analysed = False
+
+    def factorize(self, values: np.ndarray) -> None:
+        self._values = values
+        nothing = np.zeros(1)
+        if not self._analysed:
+            self._run(11, nothing, nothing, 1)
+            self._analysed = True
+        self._run(22, nothing, nothing, 1)
+
+    def solve(self, right_side: np.ndarray) -> np.ndarray:
+        b = np.asfortranarray(right_side)
+        x = np.empty_like(b, order="F")
+        self._run(33, b, x, 1 if b.ndim == 1 else b.shape[1])
+        return x
+
+    @property
+    def negative_eigenvalues(self) -> int | None:
+        return int(self._iparm[22])
+
+    def release(self) -> None:
+        """Give the library's memory back; a later factorisation analyses anew."""
+        nothing = np.zeros(1)
+        if self._analysed:
+            self._run(-1, nothing, nothing, 1)
+            self._analysed = False
+
+    def __del__(self) -> None:
+        if not sys.is_finalizing():
+            self.release()
+
+    def _run(self, phase: int, b: np.ndarray, x: np.ndarray, columns: int) -> None:
+        def integer(value: int) -> Any:
+            return ctypes.byref(ctypes.c_int32(value))
+
+        def pointer(array: np.ndarray, kind: Any) -> Any:
+            return array.ctypes.data_as(ctypes.POINTER(kind))
+
+        error = ctypes.c_int32(0)
+        self._call(
+            pointer(self._handle, ctypes.c_int64), integer(1), integer(1), integer(-2),
+            integer(phase), integer(self._size), pointer(self._values, ctypes.c_double),
+            pointer(self._ia, ctypes.c_int32), pointer(self._ja, ctypes.c_int32),
+            pointer(self._perm, ctypes.c_int32), integer(columns),
+            pointer(self._iparm, ctypes.c_int32), integer(0), pointer(b, ctypes.c_double),
+            pointer(x, ctypes.c_double), ctypes.byref(error),
+        )  # fmt: skip
+        if error.value != 0:
+            raise FactorizationError(f"Pardiso ended with error {error.value} in phase {phase}")
+
+
+# 1-based, as MKL's manual counts
+_IPARM = {
+    1: 1,  # values below are ours
+    2: 2,  # nested dissection
+    8: 1,  # at most one step of iterative refinement
+    10: 8,  # pivots below 1e-8 |A| are perturbed
+    11: 0,  # no scaling
+    13: 0,  # no matching
+    18: -1,
+    21: 1,  # Bunch-Kaufman
+    24: 0,  # classic parallel factorisation, which reports the inertia
+    25: 0,
+    27: 0,
+    35: 0,
+}
+
+
+class SuperLuSolver(SymmetricSolver):
+    """scipy's LU of the full matrix."""
+
+    def __init__(self, indptr: np.ndarray, indices: np.ndarray) -> None:
+        size = len(indptr) - 1
+        self._upper = sp.csr_matrix((np.zeros(len(indices)), indices, indptr), shape=(size, size))
+        self._factor: spla.SuperLU | None = None
+
+    def factorize(self, values: np.ndarray) -> None:
+        upper = self._upper.copy()
+        upper.data[:] = values
+        full = (upper + sp.triu(upper, 1).T).tocsc()
+        try:
+            self._factor = spla.splu(
+                full, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}
+            )
+        except RuntimeError as error:
+            raise FactorizationError(str(error)) from error
+
+    def solve(self, right_side: np.ndarray) -> np.ndarray:
+        if self._factor is None:
+            raise FactorizationError("factorize comes before solve")
+        return self._factor.solve(right_side)
+
+    @property
+    def negative_eigenvalues(self) -> int | None:
+        return None

@@ -1,0 +1,130 @@
+"""All elements of a mesh: residual and condensed tangent, in parallel and reproducibly.
+
+Elements of one colour share no node, so that threads may add to the same arrays; the order of
+additions does not depend on the number of threads.
+"""
+
+from typing import Any
+
+import numpy as np
+from numba import njit, prange
+
+from actuators.mechanics.continuum.kernel.cavity import add_face_hessian, face_volume
+from actuators.mechanics.continuum.kernel.condense import (
+    CENTRE,
+    INNER,
+    OUTER,
+    condense_element,
+)
+from actuators.mechanics.continuum.kernel.element import integrate_element
+
+
+@njit(cache=True)
+def _add_pressure(
+    x: np.ndarray,
+    u: np.ndarray,
+    pressure: float,
+    local_faces: np.ndarray,
+    face_nodes: np.ndarray,
+    want_tangent: bool,
+    r: np.ndarray,
+    k: np.ndarray,
+) -> None:
+    """Work of the cavity pressure on one element: r -= p dV/du, k -= p d2V/du2."""
+    at, gradient = np.empty((9, 3)), np.empty((9, 3))
+    for side in local_faces:
+        for n in range(9):
+            for i in range(3):
+                at[n, i] = x[face_nodes[side, n], i] + u[face_nodes[side, n], i]
+                gradient[n, i] = 0.0
+        face_volume(at, gradient)
+        for n in range(9):
+            for i in range(3):
+                r[face_nodes[side, n], i] -= pressure * gradient[n, i]
+        if want_tangent:
+            hessian = np.zeros((9, 3, 9, 3))
+            add_face_hessian(at, -pressure, hessian)
+            for n in range(9):
+                for m in range(9):
+                    for i in range(3):
+                        for j in range(i, 3):
+                            k[i, j, face_nodes[side, n], face_nodes[side, m]] += hessian[n, i, m, j]
+
+
+@njit(cache=True, parallel=True)
+def assemble(
+    nodes: np.ndarray,
+    displacement: np.ndarray,
+    element_pressure: np.ndarray,
+    elements: np.ndarray,
+    region: np.ndarray,
+    codes: Any,
+    counts: Any,
+    coefficients: np.ndarray,
+    kappa: Any,
+    body_force: np.ndarray,
+    cavity_pressure: float,
+    face_start: np.ndarray,
+    face_local: np.ndarray,
+    face_nodes: np.ndarray,
+    colour_start: np.ndarray,
+    colour_order: np.ndarray,
+    scatter: np.ndarray,
+    want_tangent: bool,
+    residual: np.ndarray,
+    inner_residual: np.ndarray,
+    values: np.ndarray,
+    recover: np.ndarray,
+    inner_inverse: np.ndarray,
+    least: np.ndarray,
+) -> None:
+    """Fill residuals (n, 3), (m, 4), matrix ``values`` and the data of the condensation.
+
+    ``scatter`` (m, 3081): place of each entry of an element's upper triangle in ``values``, or -1.
+    ``least`` (m,): the least J of each element; not positive where the state is inadmissible.
+    """
+    residual[:] = 0.0
+    if want_tangent:
+        values[:] = 0.0
+    for colour in range(len(colour_start) - 1):
+        for at in prange(colour_start[colour], colour_start[colour + 1]):
+            e = colour_order[at]
+            x, u = np.empty((27, 3)), np.empty((27, 3))
+            for n in range(27):
+                for i in range(3):
+                    x[n, i] = nodes[elements[e, n], i]
+                    u[n, i] = displacement[elements[e, n], i]
+            r, rq = np.empty((27, 3)), np.empty(4)
+            k = np.empty((3, 3, 27, 27))
+            b, mass = np.empty((27, 3, 4)), np.empty((4, 4))
+            s = region[e]
+            least[e] = integrate_element(
+                x, u, element_pressure[e], codes[s], coefficients[s], counts[s], kappa[s],
+                body_force[s], want_tangent, r, rq, k, b, mass,
+            )  # fmt: skip
+            if least[e] <= 0.0:
+                continue
+            _add_pressure(
+                x, u, cavity_pressure, face_local[face_start[e] : face_start[e + 1]], face_nodes,
+                want_tangent, r, k,
+            )  # fmt: skip
+            for n in range(27):
+                for i in range(3):
+                    residual[elements[e, n], i] += r[n, i]
+            for m in range(4):
+                inner_residual[e, m] = rq[m]
+            if want_tangent:
+                stiffness = np.empty((OUTER, OUTER))
+                if not condense_element(k, b, mass, stiffness, recover[e], inner_inverse[e]):
+                    least[e] = -1.0
+                    continue
+                t = 0
+                for i in range(OUTER):
+                    for j in range(i, OUTER):
+                        place = scatter[e, t]
+                        if place >= 0:
+                            values[place] += stiffness[i, j]
+                        t += 1
+
+
+__all__ = ["CENTRE", "INNER", "OUTER", "assemble"]

@@ -1,0 +1,187 @@
+"""First Piola-Kirchhoff stress and its derivative for the isochoric laws.
+
+F is (3, 3); P is (3, 3) [Pa]; the tangent dP_iJ/dF_kL is (9, 9) at [3 i + J, 3 k + L]. Both are
+added to what the caller holds.
+"""
+
+import numpy as np
+from numba import njit
+
+from actuators.mechanics.continuum.kernel.eigen import symmetric_eigen
+
+I1_LAW, OGDEN_LAW = 0, 1
+
+
+@njit(cache=True)
+def inverse_transpose(f: np.ndarray, h: np.ndarray) -> float:
+    """h = F^-T; returns J = det F."""
+    h[0, 0] = f[1, 1] * f[2, 2] - f[1, 2] * f[2, 1]
+    h[0, 1] = f[1, 2] * f[2, 0] - f[1, 0] * f[2, 2]
+    h[0, 2] = f[1, 0] * f[2, 1] - f[1, 1] * f[2, 0]
+    h[1, 0] = f[0, 2] * f[2, 1] - f[0, 1] * f[2, 2]
+    h[1, 1] = f[0, 0] * f[2, 2] - f[0, 2] * f[2, 0]
+    h[1, 2] = f[0, 1] * f[2, 0] - f[0, 0] * f[2, 1]
+    h[2, 0] = f[0, 1] * f[1, 2] - f[0, 2] * f[1, 1]
+    h[2, 1] = f[0, 2] * f[1, 0] - f[0, 0] * f[1, 2]
+    h[2, 2] = f[0, 0] * f[1, 1] - f[0, 1] * f[1, 0]
+    det = f[0, 0] * h[0, 0] + f[0, 1] * h[0, 1] + f[0, 2] * h[0, 2]
+    if det != 0.0:
+        for i in range(3):
+            for j in range(3):
+                h[i, j] /= det
+    return det
+
+
+@njit(cache=True)
+def add_pressure(
+    q: float, det: float, h: np.ndarray, want_tangent: bool, p: np.ndarray, a: np.ndarray
+) -> None:
+    """q (J - 1): P += q J H, with H = F^-T."""
+    for i in range(3):
+        for j in range(3):
+            p[i, j] += q * det * h[i, j]
+    if want_tangent:
+        for i in range(3):
+            for j in range(3):
+                for k in range(3):
+                    for m in range(3):
+                        a[3 * i + j, 3 * k + m] += q * det * (h[i, j] * h[k, m] - h[i, m] * h[k, j])
+
+
+@njit(cache=True)
+def add_i1_law(
+    c: np.ndarray,
+    f: np.ndarray,
+    det: float,
+    h: np.ndarray,
+    want_tangent: bool,
+    p: np.ndarray,
+    a: np.ndarray,
+) -> None:
+    """W = C10 x + C20 x^2 + C30 x^3, x = J^(-2/3) I1 - 3 (Yeoh; neo-Hooke with C20 = C30 = 0)."""
+    first = 0.0
+    for i in range(3):
+        for j in range(3):
+            first += f[i, j] * f[i, j]
+    g = det ** (-2.0 / 3.0)
+    x = g * first - 3.0
+    slope = c[0] + x * (2.0 * c[1] + x * 3.0 * c[2])
+    bend = 2.0 * c[1] + 6.0 * c[2] * x
+    d = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            d[i, j] = f[i, j] - first / 3.0 * h[i, j]
+            p[i, j] += 2.0 * slope * g * d[i, j]
+    if not want_tangent:
+        return
+    s = 2.0 * slope * g
+    b = 4.0 * bend * g * g
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                for m in range(3):
+                    a[3 * i + j, 3 * k + m] += b * d[i, j] * d[k, m] + s * (
+                        first / 3.0 * h[i, m] * h[k, j]
+                        - 2.0 / 3.0 * (d[i, j] * h[k, m] + h[i, j] * f[k, m])
+                    )
+        for j in range(3):
+            for k in range(3):
+                if i == k:
+                    a[3 * i + j, 3 * k + j] += s
+
+
+@njit(cache=True)
+def add_ogden_law(
+    c: np.ndarray, count: int, f: np.ndarray, want_tangent: bool, p: np.ndarray, a: np.ndarray
+) -> None:
+    """W = sum m/alpha (l1^alpha + l2^alpha + l3^alpha - 3) of isochoric stretches.
+
+    ``c`` holds m1, alpha1, m2, ...; ``count`` numbers. Worked in principal axes; differences
+    are taken through expm1 of logarithmic stretches: exact where stretches coincide and for tiny
+    alpha.
+    """
+    cauchy_green = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                cauchy_green[i, j] += f[k, i] * f[k, j]
+    axes = np.empty((3, 3))
+    square = np.empty(3)
+    symmetric_eigen(cauchy_green, square, axes)
+    log = 0.5 * np.log(square)
+    mean = (log[0] + log[1] + log[2]) / 3.0
+    # beta_i = dW/dlog(l_i); db = its derivative; over = (beta_i - beta_j)/(l_i^2 - l_j^2)
+    beta = np.zeros(3)
+    db = np.zeros((3, 3))
+    over = np.zeros((3, 3))
+    for t in range(0, count, 2):
+        m, alpha = c[t], c[t + 1]
+        e0 = np.expm1(alpha * (log[0] - mean))
+        e1 = np.expm1(alpha * (log[1] - mean))
+        e2 = np.expm1(alpha * (log[2] - mean))
+        e = (e0, e1, e2)
+        total = e0 + e1 + e2
+        for i in range(3):
+            beta[i] += m * (e[i] - total / 3.0)
+            for j in range(3):
+                own = 1.0 + e[i] if i == j else 0.0
+                db[i, j] += m * alpha * (own - (2.0 + e[i] + e[j]) / 3.0 + (3.0 + total) / 9.0)
+                if i != j:
+                    gap = log[i] - log[j]
+                    ratio = alpha / 2.0
+                    if abs(gap) > 1e-12:
+                        ratio = np.expm1(alpha * gap) / np.expm1(2.0 * gap)
+                    over[i, j] += m * (1.0 + e[j]) / square[j] * ratio
+    n = np.empty((3, 3))  # n[:, i] = F N_i
+    for i in range(3):
+        for r in range(3):
+            n[r, i] = f[r, 0] * axes[0, i] + f[r, 1] * axes[1, i] + f[r, 2] * axes[2, i]
+    for i in range(3):
+        s = beta[i] / square[i]
+        for r in range(3):
+            for k in range(3):
+                p[r, k] += s * n[r, i] * axes[k, i]
+    if want_tangent:
+        _add_spectral_tangent(beta, db, over, square, n, axes, a)
+
+
+@njit(cache=True)
+def _add_spectral_tangent(
+    beta: np.ndarray,
+    db: np.ndarray,
+    over: np.ndarray,
+    square: np.ndarray,
+    n: np.ndarray,
+    axes: np.ndarray,
+    a: np.ndarray,
+) -> None:
+    """Tangent from principal values: S_i = beta_i / l_i^2 along N_i, n_i = F N_i."""
+    for i in range(3):
+        s = beta[i] / square[i]
+        for j in range(3):
+            for m in range(3):
+                both = s * axes[j, i] * axes[m, i]
+                for r in range(3):
+                    a[3 * r + j, 3 * r + m] += both
+    for i in range(3):
+        for j in range(3):
+            normal = db[i, j]
+            if i == j:
+                normal -= 2.0 * beta[i]
+            normal /= square[i] * square[j]
+            shear = 0.0
+            if i != j:
+                shear = over[i, j] / square[i] - beta[j] / (square[i] * square[j])
+            for r in range(3):
+                for p in range(3):
+                    for s in range(3):
+                        for q in range(3):
+                            value = normal * n[r, i] * axes[p, i] * n[s, j] * axes[q, j]
+                            if i != j:
+                                value += (
+                                    shear
+                                    * n[r, i]
+                                    * axes[p, j]
+                                    * (n[s, i] * axes[q, j] + n[s, j] * axes[q, i])
+                                )
+                            a[3 * r + p, 3 * s + q] += value

@@ -1,0 +1,130 @@
+"""Newton's method, damped by the natural monotonicity test (Deuflhard).
+
+A step with factor f is accepted if the simplified correction (new residual, old tangent) is shorter
+than (1 - f/4) of the correction itself. The simplified correction is then added: it costs nothing
+more and makes the iteration converge faster than quadratically.
+
+Either the cavity pressure is given, or its volume (then the pressure is one more unknown): volume
+control passes a pressure's limit point.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from actuators.mechanics.continuum.direct_solver import FactorizationError, SymmetricSolver
+from actuators.mechanics.continuum.system import Balance, ContinuumSystem, State
+
+SMALLEST_FACTOR = 1 / 16
+TRUSTED_CONTRACTION = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A converged state. ``negative_eigenvalues`` of the last tangent: 0 where stable, None where
+    the solver does not say."""
+
+    state: State
+    pressure: float
+    volume: float
+    iterations: int
+    negative_eigenvalues: int | None
+
+
+@dataclass(frozen=True)
+class Failure:
+    """No equilibrium found, and why."""
+
+    reason: str
+    iterations: int
+
+
+@dataclass(frozen=True)
+class Target:
+    """What is prescribed: ``pressure`` [Pa], or ``volume`` [m3] with ``pressure`` as first guess;
+    ``gravity`` as a fraction of the scene's."""
+
+    pressure: float
+    volume: float | None = None
+    gravity: float = 1.0
+
+
+def solve_equilibrium(
+    system: ContinuumSystem,
+    solver: SymmetricSolver,
+    start: State,
+    target: Target,
+    *,
+    tolerance: float = 1e-6,
+    most_iterations: int = 12,
+    cancelled: Callable[[], bool] | None = None,
+) -> Equilibrium | Failure:
+    """Equilibrium near ``start``. ``tolerance``: largest displacement correction over the body's
+    size."""
+    size = float(np.ptp(system.mesh.nodes, axis=0).max())
+    state, pressure = start, target.pressure
+    iterations = 0
+    while iterations < most_iterations:
+        if cancelled is not None and cancelled():
+            return Failure("cancelled", iterations)
+        balance = system.linearise(state, pressure, gravity=target.gravity)
+        if not balance.admissible:
+            return Failure("an element is turned inside out", iterations)
+        iterations += 1
+        try:
+            solver.factorize(system.values)
+        except FactorizationError as error:
+            return Failure(str(error), iterations)
+        border = _Border(system, solver, state, target)
+        step, dp = border.correction(state, balance)
+        length = _length(system, step)
+        if not np.isfinite(length):
+            return Failure("the tangent is singular", iterations)
+        factor = 1.0
+        while True:
+            trial, trial_pressure = state.moved(factor, step), pressure + factor * dp
+            balance = system.balance(trial, trial_pressure, gravity=target.gravity)
+            if balance.admissible:
+                again, dp_again = border.correction(trial, balance)
+                rest = _length(system, again)
+                if rest <= (1 - factor / 4) * length or rest <= 1e-3 * tolerance * size:
+                    break
+            factor /= 2
+            if factor < SMALLEST_FACTOR:
+                return Failure("the correction does not shrink", iterations)
+        state, pressure = trial, trial_pressure
+        if factor == 1.0 and rest < TRUSTED_CONTRACTION * length:
+            state, pressure = state.moved(1.0, again), pressure + dp_again
+            if rest <= tolerance * size:
+                volume, _ = system.volume(state)
+                return Equilibrium(state, pressure, volume, iterations, solver.negative_eigenvalues)
+    return Failure(f"not converged in {most_iterations} iterations", iterations)
+
+
+class _Border:
+    """Corrections with the tangent just factorised, for given pressure or given volume."""
+
+    def __init__(
+        self, system: ContinuumSystem, solver: SymmetricSolver, state: State, target: Target
+    ) -> None:
+        self._system, self._solver, self._target = system, solver, target
+        if target.volume is not None:
+            _, self._gradient = system.volume(state)
+            self._inflation = solver.solve(self._gradient)
+
+    def correction(self, state: State, balance: Balance) -> tuple[State, float]:
+        """Step of the state and of the pressure."""
+        solution = self._solver.solve(-self._system.reduce(balance))
+        change = 0.0
+        if self._target.volume is not None:
+            volume, _ = self._system.volume(state)
+            missing = self._target.volume - volume - self._gradient @ solution
+            change = float(missing / (self._gradient @ self._inflation))
+            solution = solution + change * self._inflation
+        return self._system.expand(solution, balance), change
+
+
+def _length(system: ContinuumSystem, step: State) -> float:
+    """Largest displacement of a step [m]."""
+    return float(np.abs(step.displacement).max())

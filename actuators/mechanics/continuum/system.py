@@ -1,0 +1,178 @@
+"""The discrete problem of one mesh: unknowns, loads, residual and tangent."""
+
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from actuators.materials import Material
+from actuators.mechanics.continuum.kernel.assemble import assemble
+from actuators.mechanics.continuum.kernel.cavity import cavity_volume
+from actuators.mechanics.continuum.kernel.condense import (
+    INNER,
+    OUTER,
+    condense_residual,
+    expand_correction,
+)
+from actuators.mechanics.continuum.kernel.pattern import (
+    node_neighbours,
+    scatter_map,
+    upper_rows,
+)
+from actuators.meshing import CENTRE, FACE_NODES, HexMesh
+
+# numba's simplest threading layer must not be entered by two threads at once
+_PARALLEL = threading.Lock()
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """``displacement`` (n, 3) [m]; ``pressure`` (m, 4) [Pa], element-wise value and slopes."""
+
+    displacement: np.ndarray
+    pressure: np.ndarray
+
+    def moved(self, factor: float, step: "State") -> "State":
+        """self + factor * step."""
+        return State(
+            self.displacement + factor * step.displacement, self.pressure + factor * step.pressure
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """Out-of-balance forces: ``residual`` (n, 3) [N], ``inner`` (m, 4) [m3]; ``admissible`` is
+    False where an element is turned inside out."""
+
+    residual: np.ndarray
+    inner: np.ndarray
+    admissible: bool
+
+
+class ContinuumSystem:
+    """A mesh with materials and gravity; ``free`` (n, 3) says which displacements are unknown.
+
+    Holds the memory of one tangent: :meth:`linearise` fills it, :meth:`reduce` and
+    :meth:`expand` go between the full state and the condensed unknowns with it.
+    """
+
+    def __init__(
+        self,
+        mesh: HexMesh,
+        materials: Sequence[Material],
+        *,
+        free: np.ndarray,
+        gravity: tuple[float, float, float] | None = None,
+    ) -> None:
+        self.mesh = mesh
+        self.materials = tuple(materials)
+        unknown = free.copy()
+        unknown[mesh.centre_nodes] = False
+        self.dof = np.full(unknown.shape, -1, dtype=np.int32)
+        self.dof[unknown] = np.arange(np.count_nonzero(unknown), dtype=np.int32)
+        self.unknowns = int(np.count_nonzero(unknown))
+        outer = np.ascontiguousarray(np.delete(mesh.elements, CENTRE, axis=1))
+        first, neighbours = node_neighbours(outer, len(mesh.nodes))
+        self.indptr, self.indices = upper_rows(first, neighbours, self.dof, self.unknowns)
+        with _PARALLEL:
+            self._scatter = scatter_map(outer, self.dof, self.indptr, self.indices)
+        self._set_materials(gravity)
+        self._set_faces()
+        count = len(mesh.elements)
+        self.values = np.zeros(len(self.indices))
+        self._recover = np.zeros((count, INNER, OUTER))
+        self._inverse = np.zeros((count, INNER, INNER))
+        self._least = np.zeros(count)
+
+    def _set_materials(self, gravity: tuple[float, float, float] | None) -> None:
+        laws = [m.law for m in self.materials]
+        width = max(len(law.coefficients) for law in laws)
+        self.coefficients = np.zeros((len(laws), width))
+        for row, law in zip(self.coefficients, laws, strict=True):
+            row[: len(law.coefficients)] = law.coefficients
+        self.codes = np.array([law.code for law in laws], dtype=np.int64)
+        self.counts = np.array([len(law.coefficients) for law in laws], dtype=np.int64)
+        self.kappa = np.array([m.bulk_modulus for m in self.materials])
+        density = np.array([m.density for m in self.materials])
+        self.weight = density[:, None] * np.array(gravity or (0.0, 0.0, 0.0))
+
+    def _set_faces(self) -> None:
+        mesh, faces = self.mesh, self.mesh.cavity_faces
+        order = np.argsort(faces.element, kind="stable")
+        self._face_local = faces.local[order].astype(np.int64)
+        per_element = np.bincount(faces.element, minlength=len(mesh.elements))
+        self._face_start = np.concatenate([[0], np.cumsum(per_element)]).astype(np.int64)
+        colour = (mesh.box % 2) @ np.array([1, 2, 4])
+        self._colour_order = np.argsort(colour, kind="stable").astype(np.int64)
+        per_colour = np.bincount(colour, minlength=8)
+        self._colour_start = np.concatenate([[0], np.cumsum(per_colour)]).astype(np.int64)
+
+    def rest(self) -> State:
+        """Undeformed state."""
+        return State(np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)))
+
+    def balance(self, state: State, pressure: float, *, gravity: float = 1.0) -> Balance:
+        """Residual at cavity ``pressure`` [Pa] and this fraction of gravity."""
+        return self._assemble(state, pressure, gravity, tangent=False)
+
+    def linearise(self, state: State, pressure: float, *, gravity: float = 1.0) -> Balance:
+        """Residual, and the tangent kept in :attr:`values` (upper triangle)."""
+        return self._assemble(state, pressure, gravity, tangent=True)
+
+    def _assemble(self, state: State, pressure: float, gravity: float, *, tangent: bool) -> Balance:
+        mesh = self.mesh
+        residual = np.zeros_like(mesh.nodes)
+        inner = np.zeros((len(mesh.elements), 4))
+        with _PARALLEL:
+            assemble(
+                mesh.nodes, state.displacement, state.pressure, mesh.elements, mesh.region,
+                self.codes, self.counts, self.coefficients, self.kappa, gravity * self.weight,
+                pressure, self._face_start, self._face_local, FACE_NODES, self._colour_start,
+                self._colour_order, self._scatter, tangent, residual, inner, self.values,
+                self._recover, self._inverse, self._least,
+            )  # fmt: skip
+        sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
+        return Balance(residual, inner, sound)
+
+    def reduce(self, balance: Balance) -> np.ndarray:
+        """Condensed residual (unknowns,) with the tangent last filled."""
+        out = np.empty(self.unknowns)
+        condense_residual(
+            self.mesh.elements, balance.residual, balance.inner, self._recover, self.dof, out
+        )
+        return out
+
+    def expand(self, solution: np.ndarray, balance: Balance | None) -> State:
+        """Full correction from the condensed one; ``balance`` None for a load on the unknowns."""
+        if balance is None:
+            balance = Balance(
+                np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)), True
+            )
+        du = np.empty_like(self.mesh.nodes)
+        dq = np.empty((len(self.mesh.elements), 4))
+        expand_correction(
+            self.mesh.elements, balance.residual, balance.inner, self._recover, self._inverse,
+            self.dof, solution, du, dq,
+        )  # fmt: skip
+        return State(du, dq)
+
+    def volume(self, state: State) -> tuple[float, np.ndarray]:
+        """Cavity volume [m3] and its derivative (unknowns,) [m2]. A half model's is that of its
+        half."""
+        gradient = np.empty_like(self.mesh.nodes)
+        total = cavity_volume(
+            self.mesh.nodes + state.displacement, self.mesh.cavity_faces.nodes, gradient
+        )
+        reduced = np.zeros(self.unknowns)
+        kept = self.dof >= 0
+        reduced[self.dof[kept]] = gradient[kept]
+        return float(total), reduced
+
+
+def clamped(mesh: HexMesh) -> np.ndarray:
+    """``free`` (n, 3) of an actuator clamped at X1 = 0, X2 held on the middle plane of a half."""
+    free = np.ones((len(mesh.nodes), 3), dtype=bool)
+    free[mesh.clamp_nodes] = False
+    free[mesh.symmetry_nodes, 1] = False
+    return free
