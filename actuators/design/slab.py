@@ -192,6 +192,10 @@ class SlabDesign(Design):
                 mend="Reduce side_wall or channel_width, or widen the body.",
             )  # fmt: skip
 
+    def assumptions(self) -> tuple[str, ...]:
+        unused = "" if self.planform == "triangle" else "tip_width"
+        return tuple(p.assumed for p in self.parameters() if p.assumed and p.name != unused)
+
     def arm_spans(self) -> np.ndarray:
         """w1 at both ends of every chamber, shape (n, 2) [m]."""
         starts = self.chamber_starts()

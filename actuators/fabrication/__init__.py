@@ -1,0 +1,1 @@
+"""Moulds and other things to cut, as parts with outlines in mm."""
