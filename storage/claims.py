@@ -147,6 +147,7 @@ class Claims(Submission):
             jobs = jobs_where(connection, mine)
             for job in jobs:
                 self._give_back(connection, job, lost=lost)
+            self._resend_all(connection)
         return [job.id for job in jobs]
 
     def sweep(self) -> list[str]:
@@ -183,6 +184,10 @@ class Claims(Submission):
         connection.execute(update(j).where(j.c.id.in_(ids)).values(published_at=now))
         return ids
 
+    def _resend_all(self, connection: Connection) -> None:
+        # messages that a dead worker had taken died with it, and nobody knows which
+        connection.execute(update(tables.job).where(_waiting()).values(published_at=None))
+
     def _renew(self, connection: Connection, job_id: str, attempt: int, lease: timedelta) -> Hold:
         return _hold(
             connection.execute(
@@ -210,8 +215,7 @@ class Claims(Submission):
                 connection, job.id, state="queued", lost=losses, lease_until=None, worker=None,
                 message="The worker was lost; starting again" if lost else "Waiting for a worker",
             )  # fmt: skip
-            # its other messages may have died with it
-            connection.execute(update(tables.job).where(_waiting()).values(published_at=None))
+            self._resend_all(connection)
 
     def _close_done(
         self, connection: Connection, job: JobRow, document: Mapping[str, Any], **more: Any

@@ -74,7 +74,7 @@ def celery_settings(broker: str) -> dict[str, Any]:
         for each in (messages, taken, control):
             each.mkdir(parents=True, exist_ok=True)
         settings |= {
-            "broker_url": "filesystem://",
+            "broker_url": "filesystem://localhost//",
             "broker_transport_options": {
                 "data_folder_in": str(messages),
                 "data_folder_out": str(messages),

@@ -1,6 +1,11 @@
 """Requests that the stored data cannot serve."""
 
+from sqlalchemy.exc import OperationalError
+
 from actuators.errors import InputError
+
+# the database is away, locked for too long, or broke the connection: worth trying again
+StoreAway = OperationalError
 
 
 class NotFoundError(InputError):

@@ -1,0 +1,84 @@
+"""One job from claim to answer."""
+
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TypeVar
+
+from actuators.design import parse_design
+from actuators.errors import InputError
+from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.scene import Scene
+from storage import ClaimedJob, Store, StoreAway
+from storage.question import science_version
+from storage.response_arrays import pack
+from worker.keeper import Keeper
+from worker.rungs import RUNGS
+
+_logger = logging.getLogger(__name__)
+_INSIST_S = (1.0, 2.0, 4.0, 8.0, 15.0, 30.0)
+T = TypeVar("T")
+
+
+def solve_job(store: Store, job_id: str, *, worker: str) -> None:
+    """Claim the job, compute it, store how it ended. Does nothing if there is nothing to claim."""
+    job = store.claim(job_id, worker=worker, science_version=science_version())
+    if job is None:
+        _logger.info("job %s: nothing to do", job_id)
+        return
+    _logger.info("job %s: attempt %d, rung %s", job.id, job.attempt, job.rung)
+    with Keeper(store, job) as keeper:
+        ending = _compute(store, job, keeper)
+        keeper.solved()
+        how = ending() if keeper.stop != "gone" else False
+        _logger.info("job %s: %s", job.id, "closed" if how else "given up, another one has it")
+
+
+def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool]:
+    """Solve, and return the write that closes the job."""
+    try:
+        response = _solve(job, keeper)
+        if response.outcome is Outcome.CANCELLED:
+            if keeper.stop != "budget":
+                return lambda: _insist(lambda: store.confirm_cancel(job.id, job.attempt))
+            response = _part_found(response, job)
+        document, arrays = response.to_document(), pack(response)
+    except InputError as error:
+        message = str(error)
+    except Exception as error:
+        _logger.exception("job %s: the solver failed", job.id)
+        message = f"The solver failed ({type(error).__name__}: {str(error)[:200]}). "
+        message += f"The worker's log has the details of job {job.id}."
+    else:
+        return lambda: _insist(lambda: store.finish(job.id, job.attempt, document, arrays))
+    return lambda: _insist(lambda: store.fail(job.id, job.attempt, message))
+
+
+def _solve(job: ClaimedJob, keeper: Keeper) -> Response:
+    return RUNGS[job.rung](
+        parse_design(job.design),
+        Scene.from_document(job.scene),
+        accuracy=job.accuracy,
+        progress=keeper.report,
+        cancelled=keeper.cancelled,
+    )
+
+
+def _part_found(response: Response, job: ClaimedJob) -> Response:
+    return replace(
+        response, outcome=Outcome.BUDGET_SPENT,
+        advice=f"The time budget of {job.budget_s / 60:.0f} min was spent; this is the part of "
+        "the path found by then. Ask for a coarser accuracy or a lower pressure.",
+    )  # fmt: skip
+
+
+def _insist(write: Callable[[], T]) -> T:
+    """A finished computation is worth waiting for a store that is away for a minute."""
+    for pause in _INSIST_S:
+        try:
+            return write()
+        except StoreAway:
+            _logger.exception("the store does not answer, trying again in %g s", pause)
+            time.sleep(pause)
+    return write()
