@@ -10,6 +10,7 @@ from pydantic import BaseModel, Field
 from starlette.exceptions import HTTPException
 
 from actuators.errors import InputError
+from storage.errors import NotFoundError
 
 log = logging.getLogger(__name__)
 
@@ -29,22 +30,11 @@ class Problem(BaseModel):
     detail: ProblemDetail
 
 
-class NotFound(Exception):
-    """An identifier that names nothing the caller may see."""
+class Busy(Exception):
+    """The studio cannot serve this now, but later or after something was closed."""
 
-    def __init__(self, what: str, identifier: str, mend: str = "") -> None:
-        super().__init__(f"There is no {what} {identifier!r}.")
-        self.what = what
-        self.identifier = identifier
-        self.mend = mend or f"Check the address, or choose a {what} from the list."
-
-
-class Conflict(Exception):
-    """A request that the present state does not allow."""
-
-    def __init__(self, message: str, *, field: str = "", mend: str = "") -> None:
+    def __init__(self, message: str, *, mend: str) -> None:
         super().__init__(message)
-        self.field = field
         self.mend = mend
 
 
@@ -68,22 +58,18 @@ def install(app: FastAPI) -> None:
     def on_input(_: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, InputError):
             raise error
-        return problem(422, str(error), field=error.field, value=error.value, mend=error.mend)
+        status = 404 if isinstance(error, NotFoundError) else 422
+        return problem(status, str(error), field=error.field, value=error.value, mend=error.mend)
 
     def on_validation(_: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, RequestValidationError):
             raise error
         return _of_validation(error)
 
-    def on_missing(_: Request, error: Exception) -> JSONResponse:
-        if not isinstance(error, NotFound):
+    def on_busy(_: Request, error: Exception) -> JSONResponse:
+        if not isinstance(error, Busy):
             raise error
-        return problem(404, str(error), field=error.what, value=error.identifier, mend=error.mend)
-
-    def on_conflict(_: Request, error: Exception) -> JSONResponse:
-        if not isinstance(error, Conflict):
-            raise error
-        return problem(409, str(error), field=error.field, mend=error.mend)
+        return problem(503, str(error), mend=error.mend)
 
     def on_http(request: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, HTTPException):
@@ -108,8 +94,7 @@ def install(app: FastAPI) -> None:
 
     app.add_exception_handler(InputError, on_input)
     app.add_exception_handler(RequestValidationError, on_validation)
-    app.add_exception_handler(NotFound, on_missing)
-    app.add_exception_handler(Conflict, on_conflict)
+    app.add_exception_handler(Busy, on_busy)
     app.add_exception_handler(HTTPException, on_http)
     app.add_exception_handler(Exception, on_crash)
 

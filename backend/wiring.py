@@ -6,6 +6,7 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from backend.live.feed import EventFeed
+from backend.settings import Settings
 from backend.simulations.queue import TaskQueue
 from backend.viewer.rooms import RoomKeeper
 from storage import Store
@@ -15,8 +16,12 @@ def _store(connection: HTTPConnection) -> Store:
     return connection.app.state.store
 
 
+def _settings(connection: HTTPConnection) -> Settings:
+    return connection.app.state.settings
+
+
 def _author(connection: HTTPConnection) -> str:
-    return connection.app.state.settings.author
+    return _settings(connection).author
 
 
 def _queue(connection: HTTPConnection) -> TaskQueue:
@@ -31,6 +36,7 @@ def _feed(connection: HTTPConnection) -> EventFeed:
     return connection.app.state.feed
 
 
+Config = Annotated[Settings, Depends(_settings)]
 Storage = Annotated[Store, Depends(_store)]
 Author = Annotated[str, Depends(_author)]
 Queue = Annotated[TaskQueue, Depends(_queue)]

@@ -2,7 +2,7 @@
 
 from fastapi import APIRouter, Query
 
-from backend.designs import service
+from backend.designs import catalogue, service
 from backend.designs.schemas import (
     CheckRequest,
     CreatedDesign,
@@ -24,13 +24,13 @@ router = APIRouter(tags=["designs"])
 @router.get("/families")
 def list_families() -> list[FamilyInfo]:
     """Families and every parameter with unit, limits and source."""
-    return service.families()
+    return catalogue.families()
 
 
 @router.get("/presets")
 def list_presets() -> list[PresetInfo]:
     """The actuators of the source papers."""
-    return service.presets()
+    return catalogue.presets()
 
 
 @router.post("/designs/check")

@@ -102,10 +102,10 @@ class Job(Answer):
     version_id: str
     design_id: str
     design_name: str
-    version_number: int
     rung: str
     accuracy: float = Field(description="Fraction: 0.05 is 5 %")
     pressure_to_kPa: float | None = Field(description="End of the path asked for [kPa]")
+    pressure_kPa: float | None = Field(description="How far the solver is [kPa]")
     state: JobState
     outcome: str | None = Field(description="Of a done job, as in a result document")
     advice: str | None
@@ -116,6 +116,7 @@ class Job(Answer):
     finished_at: datetime | None
     elapsed_s: float | None = Field(description="Since the start, or from start to end [s]")
     attempt: int
+    lost: int = Field(description="Attempts whose worker vanished; the job was taken up again")
     from_store: bool = Field(description="True when a stored result answered it without a solve")
     cancelling: bool = Field(description="True while a running job was asked to stop")
     author: str

@@ -65,7 +65,9 @@ class Content(Answer):
 
     pressures_kPa: list[float] = Field(description="Pressure of every frame [kPa]")
     frame: int = Field(description="Index now visible")
-    colour: Colour = Field(description="Colour used: 'displacement' when the source lacks the one asked")
+    colour: Colour = Field(
+        description="Colour used: 'displacement' when the source lacks the one asked"
+    )
     colours: list[Colour] = Field(description="Colours this source can show")
     legend: Legend | None = Field(description="Null for colour 'none'")
     vertices: int = Field(description="Vertices of one frame")

@@ -1,0 +1,169 @@
+"""Files: what there is, under which name, and the bytes."""
+
+import csv
+import hashlib
+import io
+import json
+import re
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+from urllib.parse import quote
+
+from fastapi import Response
+
+from actuators.design import Design, SlabDesign, parse_design
+from actuators.errors import InputError, QuestionError
+from actuators.export import write
+from backend.designs.question import read_design
+from backend.fabrication.schemas import ExportKind, ExportRequest, FileInfo, FileKind
+from storage import NotFoundError, Store, VersionRow
+
+
+@dataclass(frozen=True)
+class _Kind:
+    title: str
+    suffix: str
+    media_type: str
+
+
+_KINDS: Mapping[FileKind, _Kind] = {
+    "mould-svg": _Kind("Mould, laser-cut layers", "svg", "image/svg+xml"),
+    "actuator-stl": _Kind("Actuator, surface in mm", "stl", "model/stl"),
+    "result-json": _Kind("Finite-element result, complete", "json", "application/json"),
+    "result-csv": _Kind("Finite-element result, path", "csv", "text/csv; charset=utf-8"),
+}
+_ZIP = "application/zip"
+
+
+def available(store: Store, version_id: str) -> list[FileInfo]:
+    """Every kind of file, and why one cannot be had."""
+    version = store.get_version(version_id)
+    stem = _stem(store, version)
+    return [_info(store, version, stem, what) for what in _KINDS]
+
+
+def of_version(store: Store, version_id: str, what: FileKind, known_tag: str | None) -> Response:
+    """One file. A version never changes, so that a browser asks again only for its tag."""
+    version = store.get_version(version_id)
+    reason = _reason(store, version, what)
+    if reason:
+        raise QuestionError(reason, field="what", value=what, mend="Choose another file.")
+    stem = _stem(store, version)
+    if what == "result-json" or what == "result-csv":
+        document = _result(store, version)
+        body = _json(document) if what == "result-json" else _csv(document)
+        name, media_type = f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type
+    else:
+        name, media_type, body = _exported(read_design(version.document), what, stem)
+    return _download(name, media_type, body, known_tag)
+
+
+def of_design(body: ExportRequest) -> Response:
+    """A file of a design that is not saved."""
+    design = read_design(body.design)
+    name, media_type, data = _exported(design, body.what, _slug(body.name))
+    return _download(name, media_type, data, None)
+
+
+def _info(store: Store, version: VersionRow, stem: str, what: FileKind) -> FileInfo:
+    kind, reason = _KINDS[what], _reason(store, version, what)
+    return FileInfo(
+        what=what, title=kind.title, file_name=f"{stem}.{kind.suffix}",
+        media_type=kind.media_type, url=f"/api/versions/{version.id}/files/{what}",
+        available=not reason, reason=reason or None,
+    )  # fmt: skip
+
+
+def _reason(store: Store, version: VersionRow, what: FileKind) -> str:
+    if what in ("result-json", "result-csv"):
+        if store.best_result(version.document, version.scene, "fe") is None:
+            return "There is no finite-element result of this version yet."
+        return ""
+    try:
+        design = read_design(version.document)
+    except InputError as error:
+        return str(error)
+    if what == "mould-svg" and not isinstance(design, SlabDesign):
+        return "Laser-cut moulds are made for slabs only."
+    return ""
+
+
+def _result(store: Store, version: VersionRow) -> dict[str, Any]:
+    best = store.best_result(version.document, version.scene, "fe")
+    if best is None:
+        raise NotFoundError("result of version", version.id)
+    return best.document
+
+
+@lru_cache(maxsize=8)
+def _files(document: str, what: ExportKind) -> dict[str, bytes]:
+    return write(parse_design(json.loads(document)), what)
+
+
+def _exported(design: Design, what: ExportKind, stem: str) -> tuple[str, str, bytes]:
+    """File name, media type and bytes; several files come as one zip."""
+    files = _files(json.dumps(design.to_document()), what)
+    if len(files) == 1:
+        return f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type, next(iter(files.values()))
+    return f"{stem}-{what}.zip", _ZIP, _zipped(files)
+
+
+def _zipped(files: Mapping[str, bytes]) -> bytes:
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            # a fixed date: equal designs give equal files
+            archive.writestr(
+                zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED
+            )
+    return target.getvalue()
+
+
+def _json(document: Mapping[str, Any]) -> bytes:
+    return (json.dumps(document, indent=1, allow_nan=False) + "\n").encode()
+
+
+def _csv(document: Mapping[str, Any]) -> bytes:
+    """The path, one line per pressure; vectors in columns of their own."""
+    rows = [_flat(point) for point in document["path"]]
+    columns = list(dict.fromkeys(name for row in rows for name in row))
+    target = io.StringIO()
+    lines = csv.DictWriter(target, columns, lineterminator="\n")
+    lines.writeheader()
+    lines.writerows(rows)
+    return target.getvalue().encode()
+
+
+def _flat(point: Mapping[str, Any]) -> dict[str, Any]:
+    row: dict[str, Any] = {}
+    for name, value in point.items():
+        if isinstance(value, list):
+            quantity, _, unit = name.rpartition("_")
+            row |= {f"{quantity}_x{axis}_{unit}": v for axis, v in enumerate(value, start=1)}
+        else:
+            row[name] = value
+    return row
+
+
+def _download(name: str, media_type: str, body: bytes, known_tag: str | None) -> Response:
+    tag = f'"{hashlib.sha256(body).hexdigest()[:32]}"'
+    headers = {
+        "ETag": tag,
+        "Cache-Control": "private, no-cache",
+        "Content-Disposition": f"attachment; filename=\"{name}\"; filename*=UTF-8''{quote(name)}",
+    }
+    if known_tag == tag:
+        return Response(status_code=304, headers=headers)
+    return Response(body, media_type=media_type, headers=headers)
+
+
+def _stem(store: Store, version: VersionRow) -> str:
+    return f"{_slug(store.get_design(version.design_id).name)}-v{version.number}"
+
+
+def _slug(name: str) -> str:
+    """Letters, digits and dashes: a name for every file system."""
+    return re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")[:80].lower() or "actuator"

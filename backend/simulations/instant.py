@@ -1,0 +1,22 @@
+"""The rungs that answer while a slider moves."""
+
+from typing import Literal
+
+from actuators.mechanics.predict import predict
+
+from actuators.design import Design
+from actuators.mechanics.response import Response
+from actuators.mechanics.scene import Scene
+
+InstantRung = Literal["closed-form", "energy"]
+
+
+def answer(
+    design: Design,
+    scene: Scene,
+    *,
+    rung: InstantRung = "energy",
+    c: Literal["computed", "published"] | float = "computed",
+) -> Response:
+    """Response of an instant rung; raises InputError for a question it cannot answer."""
+    return predict(design, scene, rung=rung, c=c)

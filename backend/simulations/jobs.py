@@ -1,0 +1,76 @@
+"""Jobs: questions for the queue, as the page sees them."""
+
+import logging
+
+from backend.simulations.queue import TaskQueue
+from backend.simulations.schemas import Job, JobState, NewJob, ResultDocument
+from storage import JobRow, NotFoundError, Store
+
+log = logging.getLogger(__name__)
+
+
+def submit(store: Store, queue: TaskQueue, body: NewJob, author: str) -> Job:
+    """Put a question to the queue, and wake a worker for it."""
+    version = store.get_version(body.version_id)
+    scene = version.scene if body.scene is None else body.scene
+    row = store.submit(version.id, scene, body.rung, body.accuracy, author)
+    if row.state == "queued":
+        queue.publish(store)
+    return as_job(row)
+
+
+def listing(
+    store: Store, *, version_id: str | None, state: JobState | None, limit: int
+) -> list[Job]:
+    """Jobs, newest first."""
+    states: list[JobState] | None = None if state is None else [state]
+    rows = store.list_jobs(version_id=version_id, states=states, limit=limit)
+    return [as_job(row) for row in rows]
+
+
+def detail(store: Store, job_id: str) -> Job:
+    """A job as it is now."""
+    return as_job(store.get_job(job_id))
+
+
+def cancel(store: Store, job_id: str) -> Job:
+    """Ask a job to stop."""
+    return as_job(store.cancel(job_id))
+
+
+def result(store: Store, job_id: str) -> ResultDocument:
+    """The stored answer of a job; 404 while there is none."""
+    job = store.get_job(job_id)
+    if job.state != "done":
+        raise NotFoundError("result of job", job_id)
+    return ResultDocument.model_validate(store.get_result(job.digest).document)
+
+
+def as_job(row: JobRow) -> Job:
+    """A row in border units."""
+    pressure = row.scene.get("pressure_kPa") or {}
+    return Job(
+        id=row.id,
+        version_id=row.version_id,
+        design_id=row.design_id,
+        design_name=row.design_name,
+        rung=row.rung,
+        accuracy=row.accuracy,
+        pressure_to_kPa=pressure.get("to"),
+        pressure_kPa=None if row.pressure is None else row.pressure / 1e3,
+        state=row.state,
+        outcome=row.outcome,
+        advice=row.advice,
+        fraction=row.fraction,
+        message=row.message,
+        created_at=row.created_at,
+        started_at=row.started_at,
+        finished_at=row.finished_at,
+        elapsed_s=row.elapsed_s(),
+        attempt=row.attempt,
+        lost=row.lost,
+        from_store=row.from_store,
+        cancelling=row.cancel_requested and row.state == "running",
+        author=row.author,
+        error=row.error,
+    )

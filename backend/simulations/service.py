@@ -1,0 +1,24 @@
+"""Instant answers over HTTP."""
+
+import time
+
+from backend.designs.question import read_design, read_scene
+from backend.simulations.instant import answer
+from backend.simulations.schemas import Prediction, PredictRequest, ResultDocument
+
+
+def predict(body: PredictRequest) -> Prediction:
+    """Read the question, answer it, and say how long each took."""
+    start = time.perf_counter()
+    design, scene = read_design(body.design), read_scene(body.scene)
+    read = time.perf_counter()
+    response = answer(design, scene, rung=body.rung, c=body.c)
+    solved = time.perf_counter()
+    result = ResultDocument.model_validate(response.to_document())
+    timings = {f"solve.{stage}": seconds * 1e3 for stage, seconds in response.timings.items()}
+    timings["read"] = (read - start) * 1e3
+    timings["solve"] = (solved - read) * 1e3
+    timings["total"] = (time.perf_counter() - start) * 1e3
+    return Prediction(
+        result=result, timings_ms={name: round(value, 3) for name, value in timings.items()}
+    )

@@ -1,0 +1,129 @@
+"""From an answer to a film: the points of a drawn skin at every pressure, and values on them."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+
+from actuators.design import Design, parse_design
+from actuators.errors import QuestionError
+from actuators.geometry import build_body
+from actuators.geometry.surface import body_surface, edge_for
+from actuators.mechanics.response import Centreline
+from actuators.mechanics.scene import Scene
+from backend.simulations.instant import answer
+from backend.viewer.schemas import Colour
+from backend.viewer.skin import Skin, skin, swept
+from storage.response_arrays import unpack
+
+MOST_FRAMES = 21
+INSTANT_VERTICES = 4000
+"""Vertices of a swept body, roughly; it has no finer detail to show."""
+MOST_BYTES = 24_000_000
+"""All frames together; larger surfaces get fewer frames."""
+_BYTES_A_VERTEX = 34
+
+
+@dataclass(frozen=True, eq=False)
+class Film:
+    """What a source gives to be shown, SI: points of every frame (k, n, 3) on a skin, values per
+    point (k, n) by colour, and the pressure of every frame (k,)."""
+
+    skin: Skin
+    ghost: Skin
+    points: np.ndarray
+    values: dict[Colour, np.ndarray]
+    pressures: np.ndarray
+
+
+def instant_film(design: Design, scene: Scene, stamp: Callable[[str], None]) -> Film:
+    """The energy model's answer: the undeformed surface carried along by the rod."""
+    response = answer(design, replace(scene, steps=MOST_FRAMES - 1))
+    stamp("solve")
+    _skins(design)
+    stamp("surface")
+    film = _rod_film(design, response.centreline, np.array([p.pressure for p in response.path]))
+    stamp("sweep")
+    return film
+
+
+def _rod_film(design: Design, rod: Centreline | None, pressures: np.ndarray) -> Film:
+    if rod is None:
+        raise QuestionError(
+            "This answer has neither a surface nor a centreline to show.", field="source",
+            mend="Show the instant answer or a finite-element job.",
+        )  # fmt: skip
+    body, ghost = _skins(design)
+    which = chosen_frames(len(pressures), MOST_FRAMES)
+    points = swept(body.points, rod, which)
+    moved = np.linalg.norm(points - body.points, axis=-1)
+    return Film(body, ghost, points, {"displacement": moved}, pressures[which])
+
+
+def stored_film(artifact: bytes, design: Design) -> Film:
+    """Stored fields of a finite-element answer; a half model is completed by its mirror image."""
+    arrays = unpack(artifact)
+    fields, pressures = arrays.surface, arrays.pressures
+    if fields is None:
+        return _rod_film(design, arrays.centreline, pressures)
+    vertices = fields.vertices.astype(np.float64)
+    triangles = fields.triangles.astype(np.int64)
+    mirrored = build_body(design).symmetric and bool(vertices[:, 1].min() > -1e-6)
+    which = chosen_frames(len(pressures), _affordable(len(vertices) * (2 if mirrored else 1)))
+    moved = fields.displacement[which].astype(np.float64)
+    values: dict[Colour, np.ndarray] = {
+        "displacement": np.linalg.norm(moved, axis=-1),
+        "stretch": fields.stretch[which],
+        "stress": fields.stress[which],
+    }
+    if mirrored:
+        flip = np.array([1.0, -1.0, 1.0])
+        triangles = np.concatenate([triangles, triangles[:, ::-1] + len(vertices)])
+        vertices = np.concatenate([vertices, vertices * flip])
+        moved = np.concatenate([moved, moved * flip], axis=1)
+        values = {name: np.concatenate([v, v], axis=1) for name, v in values.items()}
+    body = skin(vertices, _outside(vertices, triangles))
+    points = body.points + moved[:, body.source]
+    values = {name: v[:, body.source] for name, v in values.items()}
+    return Film(body, skin(vertices, triangles), points, values, pressures[which])
+
+
+def chosen_frames(found: int, most: int) -> np.ndarray:
+    """Indices of at most ``most`` path points, first and last among them."""
+    return np.unique(np.round(np.linspace(0, found - 1, min(found, most))).astype(int))
+
+
+def _affordable(vertices: int) -> int:
+    return int(np.clip(MOST_BYTES // (_BYTES_A_VERTEX * max(vertices, 1)), 5, MOST_FRAMES))
+
+
+def _skins(design: Design) -> tuple[Skin, Skin]:
+    """Outer skin to be swept, and the coarse skin with the cavity for the undeformed body."""
+    return _skins_of(json.dumps(design.to_document()))
+
+
+@lru_cache(maxsize=16)
+def _skins_of(document: str) -> tuple[Skin, Skin]:
+    body = build_body(parse_design(json.loads(document)))
+    fine = body_surface(body, max_edge=edge_for(body, INSTANT_VERTICES))
+    coarse = body_surface(body)
+    return skin(fine.vertices, fine.triangles[~fine.cavity]), skin(
+        coarse.vertices, coarse.triangles
+    )
+
+
+def _outside(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Triangles without those around cavities, which nobody sees: closed parts of the surface whose
+    volume is negative."""
+    n = len(vertices)
+    a, b = triangles[:, [0, 1]].ravel(), triangles[:, [1, 2]].ravel()
+    graph = csr_array((np.ones(len(a), dtype=np.int8), (a, b)), shape=(n, n))
+    _, part = connected_components(graph, directed=False)
+    part = part[triangles[:, 0]]
+    p, q, r = (vertices[triangles[:, k]] for k in range(3))
+    volume = np.bincount(part, weights=(p * np.cross(q, r)).sum(axis=1))
+    return triangles[volume[part] > 0]

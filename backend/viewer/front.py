@@ -1,0 +1,119 @@
+"""The viewer's door: viser's page under our own policy, and its websocket through our own checks.
+
+viser follows `?websocket=` and `?playbackPath=` anywhere and runs scripts from messages; the policy
+of the page lets none of it leave this origin.
+"""
+
+import asyncio
+from functools import cache
+
+import websockets
+from fastapi import APIRouter, Request, WebSocket
+from fastapi.responses import HTMLResponse, RedirectResponse, Response
+from starlette.websockets import WebSocketDisconnect, WebSocketState
+
+from backend.viewer.rooms import RoomKeeper
+from backend.viewer.service import SESSION_COOKIE
+from backend.viewer.viser_door import KEY_HEADER, SUBPROTOCOL, client_page
+from storage import NotFoundError
+
+POLICY = (
+    "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob: data:; "
+    "worker-src blob: data:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
+    "connect-src 'self' data: blob:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
+)
+# viser's own panel, notifications and mobile sheet; the page around the frame has its own controls
+HIDING = """<style>
+[data-floating-window],[data-dock-region],.mantine-Notifications-root,.mantine-Paper-root
+{display:none!important}
+html,body{margin:0;height:100%;overflow:hidden;background:transparent}
+</style>"""
+HEADERS = {
+    "Content-Security-Policy": POLICY,
+    "Cache-Control": "no-store",
+    "X-Frame-Options": "SAMEORIGIN",
+}
+
+
+def router() -> APIRouter:
+    """/viewer/{view_id}/ as page and as websocket; the slash may be missing, as viser's client
+    leaves it out."""
+    front = APIRouter(include_in_schema=False)
+
+    @front.get("/viewer/{view_id}/")
+    def page(view_id: str, request: Request) -> Response:
+        rooms: RoomKeeper = request.app.state.rooms
+        rooms.find(view_id, request.cookies.get(SESSION_COOKIE))
+        if request.query_params.keys() & {"websocket", "playbackPath"}:
+            return RedirectResponse(request.url.path, headers=HEADERS)
+        return HTMLResponse(_page(), headers=HEADERS)
+
+    @front.get("/viewer/{view_id}")
+    def page_without_slash(view_id: str) -> Response:
+        return RedirectResponse(f"/viewer/{view_id}/")
+
+    front.add_api_websocket_route("/viewer/{view_id}", _socket)
+    front.add_api_websocket_route("/viewer/{view_id}/", _socket)
+    return front
+
+
+@cache
+def _page() -> str:
+    page = client_page().replace("<title>Viser</title>", "<title>Pneustudio viewer</title>")
+    head, found, rest = page.partition("</head>")
+    if not found:
+        raise RuntimeError("viser's page has no head")
+    return f"{head}{HIDING}{found}{rest}"
+
+
+async def _socket(socket: WebSocket, view_id: str) -> None:
+    """Join a page of the room's owner to the room. The Origin was checked by the guard."""
+    rooms: RoomKeeper = socket.app.state.rooms
+    try:
+        room = rooms.find(view_id, socket.cookies.get(SESSION_COOKIE))
+    except NotFoundError:
+        await socket.close(1008)
+        return
+    if SUBPROTOCOL not in socket.scope.get("subprotocols", []):
+        await socket.close(1002)
+        return
+    try:
+        upstream = await websockets.connect(
+            room.guarded.address,
+            subprotocols=[websockets.Subprotocol(SUBPROTOCOL)],
+            additional_headers={KEY_HEADER: room.guarded.key},
+            max_size=None,
+            compression=None,
+            proxy=None,
+        )
+    except (OSError, websockets.WebSocketException):
+        await socket.close(1011)
+        return
+    async with upstream:
+        await socket.accept(subprotocol=SUBPROTOCOL)
+        pumps = [
+            asyncio.create_task(_to_page(upstream, socket)),
+            asyncio.create_task(_to_room(socket, upstream)),
+        ]
+        try:
+            await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for pump in pumps:
+                pump.cancel()
+            await asyncio.gather(*pumps, return_exceptions=True)
+    if socket.client_state is WebSocketState.CONNECTED:
+        await socket.close(1001)
+
+
+async def _to_page(upstream: websockets.ClientConnection, socket: WebSocket) -> None:
+    async for message in upstream:
+        if isinstance(message, bytes):
+            await socket.send_bytes(message)
+
+
+async def _to_room(socket: WebSocket, upstream: websockets.ClientConnection) -> None:
+    try:
+        while True:
+            await upstream.send(await socket.receive_bytes())
+    except (WebSocketDisconnect, websockets.ConnectionClosed, KeyError):
+        return

@@ -1,0 +1,103 @@
+"""Views: opened, filled, scrubbed and closed by the session they belong to."""
+
+import secrets
+
+from fastapi import Request, Response
+
+from backend.designs.question import read_design, read_scene
+from backend.viewer.film import Film, instant_film, stored_film
+from backend.viewer.picture import picture
+from backend.viewer.room import Room
+from backend.viewer.rooms import RoomKeeper
+from backend.viewer.schemas import (
+    AppearanceRequest,
+    Content,
+    ContentRequest,
+    JobSource,
+    NewView,
+    View,
+)
+from backend.viewer.stopwatch import milliseconds
+from storage import NotFoundError, Store
+
+SESSION_COOKIE = "pneustudio_session"
+
+
+def open_view(rooms: RoomKeeper, body: NewView, request: Request, response: Response) -> View:
+    """A room for this browser's session, which begins with its first view."""
+    owner = request.cookies.get(SESSION_COOKIE, "")
+    if len(owner) < 32:
+        owner = secrets.token_urlsafe(32)
+        response.set_cookie(
+            SESSION_COOKIE, owner, httponly=True, samesite="strict", path="/",
+            secure=request.url.scheme == "https",
+        )  # fmt: skip
+    room = rooms.open(owner, dark=body.dark)
+    return View(view_id=room.view_id, url=f"/viewer/{room.view_id}/")
+
+
+def show(
+    rooms: RoomKeeper, store: Store, view_id: str, body: ContentRequest, request: Request
+) -> Content:
+    """Build what was asked for and put it into the room."""
+    room = _own(rooms, view_id, request)
+    stages: dict[str, float] = {}
+    stamp = milliseconds(stages)
+    if isinstance(body.source, JobSource):
+        film = _job_film(store, body.source.job_id)
+        stamp("load")
+    else:
+        design, scene = read_design(body.source.design), read_scene(body.source.scene)
+        film = instant_film(design, scene, stamp)
+    shown = picture(film, body.colour, undeformed=body.undeformed)
+    stamp("colour")
+    last = len(shown.pressures) - 1
+    frame = last if body.frame is None else min(body.frame, last)
+    room.show(shown.bodies, frame)
+    stamp("send")
+    return Content(
+        pressures_kPa=[float(f"{p / 1e3:.6g}") for p in shown.pressures],
+        frame=frame,
+        colour=shown.colour,
+        colours=shown.colours,
+        legend=shown.legend,
+        vertices=shown.vertices,
+        timings_ms=stages | {"total": round(sum(stages.values()), 2)},
+    )
+
+
+def show_frame(rooms: RoomKeeper, view_id: str, index: int, request: Request) -> None:
+    """Show another frame."""
+    _own(rooms, view_id, request).show_frame(index)
+
+
+def set_appearance(
+    rooms: RoomKeeper, view_id: str, body: AppearanceRequest, request: Request
+) -> None:
+    """Background and camera."""
+    room = _own(rooms, view_id, request)
+    if body.dark is not None:
+        room.set_dark(body.dark)
+    if body.camera is not None:
+        room.move_camera(body.camera)
+
+
+def close_view(rooms: RoomKeeper, view_id: str, request: Request) -> None:
+    """Close a room."""
+    rooms.close_room(_own(rooms, view_id, request))
+
+
+def _own(rooms: RoomKeeper, view_id: str, request: Request) -> Room:
+    return rooms.find(view_id, request.cookies.get(SESSION_COOKIE))
+
+
+def _job_film(store: Store, job_id: str) -> Film:
+    job = store.get_job(job_id)
+    if job.state != "done":
+        raise NotFoundError("result of job", job_id)
+    result = store.get_result(job.digest)
+    if result.artifact_sha256 is None:
+        raise NotFoundError("surface of job", job_id)
+    return stored_film(
+        store.get_artifact(result.artifact_sha256), read_design(result.document["design"])
+    )

@@ -1,0 +1,117 @@
+"""The skin that is drawn: a surface with its sharp edges kept sharp, and how it follows a rod."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+
+from actuators.mechanics.response import Centreline
+
+SHARP_DEG = 35.0
+"""Faces that meet at a larger angle than this keep an edge between them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Skin:
+    """``points``: (n, 3) [m] undeformed; ``triangles``: (m, 3), outward; ``edges``: (e, 2) sharp
+    edges; ``source``: (n,) the vertex of the surface that each point came from."""
+
+    points: np.ndarray
+    triangles: np.ndarray
+    edges: np.ndarray
+    source: np.ndarray
+    _gather: csr_array
+
+    def normals(self, points: np.ndarray) -> np.ndarray:
+        """Outward unit normals of deformed points (k, n, 3), weighted by area: (k, n, 3)."""
+        corner = points[:, self.triangles, :]
+        faces = np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0])
+        k, m, _ = faces.shape
+        summed = self._gather @ faces.transpose(1, 0, 2).reshape(m, 3 * k)
+        normals = summed.reshape(-1, k, 3).transpose(1, 0, 2)
+        length = np.linalg.norm(normals, axis=-1, keepdims=True)
+        return normals / np.maximum(length, 1e-30)
+
+
+def skin(vertices: np.ndarray, triangles: np.ndarray) -> Skin:
+    """Split a surface's vertices (n, 3) where its triangles (m, 3) meet at a sharp edge."""
+    triangles = np.asarray(triangles, dtype=np.int64)
+    pairs, ends = _neighbours(triangles, len(vertices))
+    corner = vertices[triangles]
+    face = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    face /= np.maximum(np.linalg.norm(face, axis=1, keepdims=True), 1e-30)
+    cosine = (face[pairs[:, 0]] * face[pairs[:, 1]]).sum(axis=1)
+    smooth = cosine > np.cos(np.radians(SHARP_DEG))
+
+    # corners of neighbouring triangles at the same vertex are one point, unless the edge is sharp
+    m = len(triangles)
+    joined_a, joined_b = [], []
+    for end in (0, 1):
+        vertex = ends[smooth, end]
+        for side, joined in ((0, joined_a), (1, joined_b)):
+            triangle = pairs[smooth, side]
+            place = np.argmax(triangles[triangle] == vertex[:, None], axis=1)
+            joined.append(3 * triangle + place)
+    a, b = np.concatenate(joined_a), np.concatenate(joined_b)
+    graph = csr_array((np.ones(len(a), dtype=np.int8), (a, b)), shape=(3 * m, 3 * m))
+    count, label = connected_components(graph, directed=False)
+
+    source = np.empty(count, dtype=np.int64)
+    source[label] = triangles.ravel()
+    first = np.full(len(vertices), -1, dtype=np.int64)
+    first[source[::-1]] = np.arange(count)[::-1]
+    gather = csr_array(
+        (np.ones(3 * m, dtype=np.float32), (label, np.repeat(np.arange(m), 3))), shape=(count, m)
+    )
+    return Skin(
+        points=vertices[source],
+        triangles=label.reshape(m, 3).astype(np.int32),
+        edges=first[ends[~smooth]].astype(np.int32),
+        source=source,
+        _gather=gather,
+    )
+
+
+def _neighbours(triangles: np.ndarray, vertices: int) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs of triangles that share an edge (p, 2), and the two vertices of that edge (p, 2)."""
+    a, b = triangles, np.roll(triangles, -1, axis=1)
+    low, high = np.minimum(a, b).ravel(), np.maximum(a, b).ravel()
+    key = low * vertices + high
+    order = np.argsort(key, kind="stable")
+    same = np.flatnonzero(key[order][1:] == key[order][:-1])
+    one, other = order[same], order[same + 1]
+    pairs = np.stack([one // 3, other // 3], axis=1)
+    return pairs, np.stack([low[one], high[one]], axis=1)
+
+
+def swept(points: np.ndarray, rod: Centreline, which: np.ndarray) -> np.ndarray:
+    """Points (n, 3) [m] of the undeformed body carried along by the rod's sections, at the path
+    points ``which`` (k,): (k, n, 3) [m]. Sections stay plane and keep their shape, as the rod's
+    model has it."""
+    stations = np.asarray(rod.stations, dtype=np.float64)
+    x, back = np.unique(points[:, 0], return_inverse=True)
+    right = np.clip(np.searchsorted(stations, x), 1, len(stations) - 1)
+    left = right - 1
+    # not clipped: an oblique body reaches a little beyond the last station
+    t = (x - stations[left]) / (stations[right] - stations[left])
+    positions = rod.positions[which].astype(np.float64)
+    frames = rod.frames[which].astype(np.float64)
+    weight = t[None, :, None]
+    at = (1 - weight) * positions[:, left] + weight * positions[:, right]
+    weight = np.clip(weight, 0.0, 1.0)[..., None]
+    turn = _orthonormal((1 - weight) * frames[:, left] + weight * frames[:, right])
+    section = points[:, 1:]
+    moved = at[:, back]
+    moved += turn[..., 1][:, back] * section[:, :1]
+    moved += turn[..., 2][:, back] * section[:, 1:]
+    return moved
+
+
+def _orthonormal(frames: np.ndarray) -> np.ndarray:
+    """Columns 2 and 3 made orthonormal again after interpolation; (..., 3, 3)."""
+    second = frames[..., 1] / np.linalg.norm(frames[..., 1], axis=-1, keepdims=True)
+    third = frames[..., 2]
+    third = third - (third * second).sum(axis=-1, keepdims=True) * second
+    third = third / np.linalg.norm(third, axis=-1, keepdims=True)
+    return np.stack([frames[..., 0], second, third], axis=-1)
