@@ -1,0 +1,108 @@
+"""The half cell as a lattice of 27-node hexahedra, periodic along X1.
+
+Turning a chamber by half a turn about the vertical axis through its middle leaves it unchanged
+(also where it stands obliquely), so the half X2 >= 0 is enough: its face X2 = 0 is tied to itself,
+X1 to -X1. Nodes at X1 and X1 + pitch are one node.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from actuators.geometry import CAVITY, Body
+
+
+@dataclass(frozen=True, eq=False)
+class HalfCell:
+    """Elements of the half X2 >= 0, coordinates about the chamber's vertical middle axis.
+
+    ``nodes``: (n, 27) int, wrapped node of each element's local node i + 3 j + 9 k; ``twin``: (m,)
+    the node that each node becomes by the half turn, itself off the face X2 = 0; ``corner``: (n, 3)
+    position of local node 0; ``jacobian``: (n, 3, 3) columns half edges [m]; ``fill``: (n,) region
+    or CAVITY or OUTSIDE; ``shape``: nodes along (x, y, z); ``turn``: element borders from the
+    lattice's beginning to the chamber's middle, doubled.
+    """
+
+    nodes: np.ndarray
+    twin: np.ndarray
+    corner: np.ndarray
+    jacobian: np.ndarray
+    fill: np.ndarray
+    shape: tuple[int, int, int]
+    turn: int
+
+    @property
+    def solid(self) -> np.ndarray:
+        """Mask of elements made of rubber, (n,)."""
+        return self.fill >= 0
+
+    @property
+    def cavity(self) -> np.ndarray:
+        """Mask of elements of air under pressure, (n,)."""
+        return self.fill == CAVITY
+
+    def coordinates(self) -> np.ndarray:
+        """Position of every element's nodes, unwrapped, shape (n, 27, 3) [m]."""
+        k, j, i = np.meshgrid(*[np.arange(3)] * 3, indexing="ij")
+        local = np.stack([i.ravel(), j.ravel(), k.ravel()], axis=-1)
+        return self.corner[:, None] + np.einsum("nij,aj->nai", self.jacobian, local)
+
+
+def half_cell(body: Body, parts: Sequence[Sequence[Sequence[float]]]) -> HalfCell:
+    """Lattice of one chamber. ``parts``: per axis and per interval the fractions of the interval
+    that its elements take, as :func:`intervals` lists the intervals; those along x read the same
+    backwards."""
+    x, y, z, fill = intervals(body)
+    lines = [_divide(line, p) for line, p in zip((x, y, z), parts, strict=True)]
+    for axis in range(3):
+        fill = np.repeat(fill, [len(f) for f in parts[axis]], axis=axis)
+    nx, ny, nz = fill.shape
+    corners = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)
+    axis_at = np.array([(body.lines[0][0] + body.lines[0][-1]) / 2, 0.0, 0.0])
+    position = body.place(corners) - body.place(axis_at) * [1, 1, 0]
+    origin = position[:-1, :-1, :-1]
+    edges = [position[1:, :-1, :-1], position[:-1, 1:, :-1], position[:-1, :-1, 1:]]
+    jacobian = np.stack([(e - origin) / 2 for e in edges], axis=-1)
+
+    periodic = 2 * nx
+    shape = (periodic, 2 * ny + 1, 2 * nz + 1)
+    i, j, k = np.meshgrid(np.arange(nx), np.arange(ny), np.arange(nz), indexing="ij")
+    c, b, a = np.meshgrid(*[np.arange(3)] * 3, indexing="ij")
+    at = [2 * n.ravel()[:, None] + m.ravel() for n, m in ((i, a), (j, b), (k, c))]
+    nodes = ((at[0] % periodic) * shape[1] + at[1]) * shape[2] + at[2]
+    ids = np.arange(periodic * shape[1] * shape[2]).reshape(shape)
+    twin = ids.copy()
+    turn = nx - len(parts[0][-1])  # all but the last interval mirror about the chamber's middle
+    twin[:, 0] = ids[(2 * turn - np.arange(periodic)) % periodic, 0]
+    return HalfCell(
+        nodes,
+        twin.ravel(),
+        origin.reshape(-1, 3),
+        jacobian.reshape(-1, 3, 3),
+        fill.ravel(),
+        shape,
+        turn,
+    )
+
+
+def intervals(body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Lattice lines (x, y >= 0, z) and fill of the half cell. Along x it begins at the end of the
+    body's first interval and closes with the first and last intervals as one, across the period:
+    a wall or gap shared with the next chamber needs no border in its middle."""
+    x, y, z = body.lines
+    if body.period is None or not np.array_equal(body.fill[0], body.fill[-1]):
+        raise ValueError("a periodic cell must begin and end with the same filling")
+    upper = np.flatnonzero(y > 0)
+    rolled = np.concatenate([x[1:-1], [x[1] + body.period]])
+    fill = np.concatenate([body.fill[1:-1], body.fill[:1]])
+    return rolled, np.concatenate([[0.0], y[upper]]), z, fill[:, upper - 1]
+
+
+def _divide(lines: np.ndarray, parts: Sequence[Sequence[float]]) -> np.ndarray:
+    divided = [lines[:1]]
+    for left, right, fractions in zip(lines[:-1], lines[1:], parts, strict=True):
+        inner = left + (right - left) * np.cumsum(fractions)
+        inner[-1] = right
+        divided.append(inner)
+    return np.concatenate(divided)

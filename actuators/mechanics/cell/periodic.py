@@ -1,0 +1,162 @@
+"""One linear solve of a periodic chamber: what pressure does to it, and its stiffness as a rod.
+
+Small-strain displacement of a rod with constant strains e plus a periodic correction. With X1, X2,
+X3 from the chamber's vertical middle axis and the underside,
+
+    stretch e0      (X1, 0, 0)
+    torsion e1      (0, -X1 X3, X1 X2)
+    bending e2      (X1 X3, 0, -X1^2/2)     positive towards -X3
+    bending e3      (-X1 X2, X1^2/2, 0)
+
+whose strains do not depend on X1, so the correction repeats from chamber to chamber. The four e are
+unknowns like any other; without resultant forces they are the free response. Pressure works on the
+change of the cavity's volume, open ends of the air channel included: what closes them at either end
+of the actuator feels the same pressure.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from actuators.geometry import Body
+from actuators.materials import Material
+from actuators.mechanics.cell.element import (
+    NODES,
+    divergence,
+    reference_divergence,
+    stiffness,
+)
+from actuators.mechanics.cell.lattice import HalfCell, half_cell, intervals
+from actuators.mechanics.cell.numbering import numbering
+
+EVEN = (0, 1, 2)
+"""Rod strains that the half turn leaves unchanged; bending about X3 stands alone."""
+
+
+@dataclass(frozen=True, eq=False)
+class CellResponse:
+    """One chamber pitch as a piece of rod. Rod strains are (stretch, torsion, bending about X2,
+    bending about X3) of the line X2 = X3 = 0; resultants (force along X1, moments about X1, X2, X3)
+    work on them.
+
+    ``period``: pitch [m]; ``free``: (4,) rod strains per pressure [1/Pa, 1/(Pa m)]; ``stiffness``:
+    (4, 4) resultants per rod strain, mean over the pitch [N, N m, N m2]; ``cavity_volume`` [m3]
+    undeformed; ``cavity_compliance``: growth of the cavity per pressure [m3/Pa], coarser than the
+    rest (about 15 %); ``largest_strain``: largest principal strain per pressure, mean over an
+    element [1/Pa]; ``unknowns`` of the solve.
+    """
+
+    period: float
+    free: np.ndarray
+    stiffness: np.ndarray
+    cavity_volume: float
+    cavity_compliance: float
+    largest_strain: float
+    unknowns: int
+
+
+@dataclass(frozen=True)
+class CellMesh:
+    """Elements per interval along (x, y, z), as :func:`.lattice.intervals` lists the intervals."""
+
+    even: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
+    odd: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
+
+
+def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> CellResponse:
+    """Response and rod stiffness of the periodic cell ``body``; ``materials`` by region."""
+    assert body.period is not None
+    shear = np.array([m.shear_modulus for m in materials])
+    bulk = np.array([m.bulk_modulus for m in materials])
+
+    cell = half_cell(body, _equal_parts(mesh.even))
+    elements, energy, coupling = _element_energies(cell, shear, bulk)
+    pressure = divergence(cell.jacobian[cell.cavity])[:, 0, :, None]
+    even = numbering(cell, "even")
+    right = np.concatenate(
+        [even.gather(pressure, cell.cavity), -even.gather(coupling[..., EVEN], cell.solid)], axis=1
+    )
+    correction = even.factorise(elements, cell.solid).solve(right)
+    condensed = np.zeros((4, 4))
+    condensed[np.ix_(EVEN, EVEN)] = energy[np.ix_(EVEN, EVEN)] - right[:, 1:].T @ correction[:, 1:]
+    work = np.einsum("nai,na->i", _rod_fields(cell.coordinates()[cell.cavity]), pressure[..., 0])
+    load = np.zeros(4)
+    load[list(EVEN)] = work[list(EVEN)] + right[:, 1:].T @ correction[:, 0]
+    condensed[3, 3] = _bending_about_x3(body, shear, bulk, mesh)
+
+    free = np.linalg.solve(condensed, load)  # both for the half cell
+    growth = float(right[:, 0] @ correction[:, 0] + load @ free)
+    motion = correction[:, 0] + correction[:, 1:] @ free[list(EVEN)]
+    local = even.spread(motion)[cell.solid]
+    local += _rod_fields(cell.coordinates()[cell.solid]) @ free
+    air = 8 * np.linalg.det(cell.jacobian[cell.cavity]).sum()
+    return CellResponse(
+        period=body.period,
+        free=free,
+        stiffness=2 * condensed / body.period,
+        cavity_volume=float(2 * air),
+        cavity_compliance=2 * growth,
+        largest_strain=_largest_strain(cell.jacobian[cell.solid], local),
+        unknowns=even.count,
+    )
+
+
+def _bending_about_x3(body: Body, shear: np.ndarray, bulk: np.ndarray, mesh: CellMesh) -> float:
+    """Stiffness of the half cell against bending about X3, per curvature squared [N m3]."""
+    cell = half_cell(body, _equal_parts(mesh.odd))
+    elements, energy, coupling = _element_energies(cell, shear, bulk)
+    odd = numbering(cell, "odd")
+    right = -odd.gather(coupling[..., 3:], cell.solid)
+    correction = odd.factorise(elements, cell.solid).solve(right)
+    return float(energy[3, 3] - right[:, 0] @ correction[:, 0])
+
+
+def _element_energies(
+    cell: HalfCell, shear: np.ndarray, bulk: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of the solid elements: stiffness (m, 81, 81), energy of the rod strains (4, 4), forces that
+    they raise (m, 81, 4)."""
+    region = cell.fill[cell.solid]
+    elements = stiffness(cell.jacobian[cell.solid], shear[region], bulk[region])
+    fields = _rod_fields(cell.coordinates()[cell.solid])
+    coupling = elements @ fields
+    energy = np.tensordot(fields, coupling, axes=([0, 1], [0, 1]))
+    return elements, energy, coupling
+
+
+def _rod_fields(position: np.ndarray) -> np.ndarray:
+    """Displacement of unit rod strains at nodes (n, 27, 3) [m], shape (n, 81, 4)."""
+    x, y, z = np.moveaxis(position, -1, 0)
+    field = np.zeros((*position.shape, 4))
+    field[..., 0, 0] = x
+    field[..., 1, 1] = -x * z
+    field[..., 2, 1] = x * y
+    field[..., 0, 2] = x * z
+    field[..., 2, 2] = -x * x / 2
+    field[..., 0, 3] = -x * y
+    field[..., 1, 3] = x * x / 2
+    return field.reshape(len(position), 3 * NODES, 4)
+
+
+def _largest_strain(jacobian: np.ndarray, local: np.ndarray) -> float:
+    """Largest principal strain, mean over an element, of displacements (n, 81)."""
+    table = reference_divergence()[:, :NODES] / 8
+    gradient = np.einsum("pa,nai,npj->nij", table, local.reshape(-1, NODES, 3),
+                         np.linalg.inv(jacobian))  # fmt: skip
+    strain = (gradient + np.swapaxes(gradient, 1, 2)) / 2
+    return float(np.linalg.eigvalsh(strain)[:, -1].max())
+
+
+def _equal_parts(counts: tuple[tuple[int, ...], ...]) -> list[list[list[float]]]:
+    return [[[1 / n] * n for n in axis] for axis in counts]
+
+
+def coarse_mesh(body: Body) -> CellMesh:
+    """The coarsest mesh that keeps the response within 2 % of a converged one (tests measure it).
+
+    One element per interval, except where walls bulge as plates: the tall free walls between open
+    gaps take two over their height, and chambers that stand obliquely two along their arm.
+    """
+    x, y, z, _ = intervals(body)
+    once = [tuple([1] * (len(lines) - 1)) for lines in (x, y, z)]
+    return CellMesh(even=(once[0], once[1], once[2]), odd=(once[0], once[1], once[2]))

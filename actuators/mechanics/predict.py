@@ -1,0 +1,160 @@
+"""Rungs 1 and 2: the answer while a slider moves."""
+
+import time
+from typing import Any
+
+import numpy as np
+
+from actuators.design import Design
+from actuators.errors import QuestionError
+from actuators.geometry.volumes import exact_volumes
+from actuators.mechanics.cell.row import ChamberRow, chamber_row, pitch_starts
+from actuators.mechanics.closed_form import bending_rates
+from actuators.mechanics.energy_model import (
+    Constant,
+    check_constant,
+    computed_constant,
+    design_layers,
+    published_constant,
+    rod_strains,
+)
+from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.rod import (
+    RodPath,
+    centreline,
+    follow_pressures,
+    path_points,
+    rod_of,
+    weightless,
+)
+from actuators.mechanics.rod.effects import closed_form_effects, rod_effects, strain_notes
+from actuators.mechanics.scene import Scene
+
+STEPS = 20
+"""Equal pressure steps where the scene leaves the choice to the rung."""
+
+RUNGS = ("closed-form", "energy")
+
+
+def predict(
+    design: Design,
+    scene: Scene,
+    *,
+    rung: str = "energy",
+    c: Any = "computed",
+    steps: int | None = None,
+) -> Response:
+    """Instant answer at zero pressure and at every pressure step.
+
+    ``rung``: ``"closed-form"`` or ``"energy"``; the three-dimensional solver is another door. ``c``
+    (energy only): ``"computed"`` takes each chamber's free response from its periodic cell;
+    ``"published"`` and numbers scale the energy model instead, on a rod of the same stiffness.
+    ``steps`` goes before the scene's own. Raises :class:`QuestionError` for a rung or constant that
+    is none.
+    """
+    begun = time.perf_counter()
+    constant = check_constant(c)
+    count = steps if steps is not None else (scene.steps or STEPS)
+    if not 1 <= count <= 1000:
+        raise QuestionError(
+            f"steps is {count}; it must lie between 1 and 1000.",
+            field="steps", value=str(count), mend="Use 1 to 1000 steps.",
+        )  # fmt: skip
+    pressures = np.linspace(0.0, scene.pressure_to, count + 1)
+    if rung == "energy":
+        return _energy(design, scene, pressures, constant, begun)
+    if rung == "closed-form":
+        return _closed_form(design, scene, pressures, begun)
+    raise QuestionError(
+        f"rung is {rung!r}; the instant models are {' and '.join(RUNGS)}.",
+        field="rung", value=repr(rung), mend=f"Use {' or '.join(RUNGS)}.",
+    )  # fmt: skip
+
+
+def _energy(
+    design: Design, scene: Scene, pressures: np.ndarray, constant: Constant, begun: float
+) -> Response:
+    row = chamber_row(design)
+    solved = time.perf_counter()
+    free, notes = _free_strains(design, row, constant)
+    rod = rod_of(design, row, free)
+    path = follow_pressures(rod, pressures, scene.gravity)
+    # without weight the strains are known: what gravity changes costs one more walk along the rod
+    last = pressures[max(len(path.positions) - 1, 0)]
+    floating = weightless((last * rod.free)[None], rod.length)
+    volume = exact_volumes(design).cavity + row.cavity_compliance.sum() * pressures
+    points = path_points(path, rod.length, rod.chambered, pressures, volume)
+    outcome, advice = _outcome(path, pressures)
+    ended = time.perf_counter()
+    return Response(
+        design=design,
+        scene=scene,
+        rung="energy",
+        outcome=outcome,
+        path=points,
+        advice=advice,
+        centreline=centreline(path, rod.length),
+        wall_s=ended - begun,
+        unknowns=row.unknowns,
+        newton_iterations=path.iterations,
+        effects=rod_effects(scene, path, floating, design.length, cost=ended - solved),
+        notes=(*notes, *strain_notes(row.largest_strain, float(last))),
+        timings={"cell": solved - begun, "rod": ended - solved},
+    )
+
+
+def _free_strains(
+    design: Design, row: ChamberRow, constant: Constant
+) -> tuple[np.ndarray, tuple[str, ...]]:
+    """Rod strains per pressure (n, 4) of every chamber, and what to say about them."""
+    energy = rod_strains(design_layers(design))
+    computed = computed_constant(row.free, energy)
+    if constant == "computed":
+        return row.free, (f"c = {computed:.3g}, computed from the periodic chamber.",)
+    value = published_constant(design) if constant == "published" else float(constant)
+    origin = "published (G, Table 2)" if constant == "published" else "given"
+    return value * energy, (
+        f"c = {value:.3g}, {origin}; the periodic chamber gives {computed:.3g}.",
+    )
+
+
+def _outcome(path: RodPath, pressures: np.ndarray) -> tuple[Outcome, str | None]:
+    if len(path.positions) == len(pressures):
+        return Outcome.CONVERGED, None
+    lost = pressures[len(path.positions)] / 1e3
+    return Outcome.STALLED, (
+        f"The rod found no equilibrium under its own weight at {lost:.4g} kPa. Shorten the body, "
+        "stiffen it or thicken its bottom layer, or leave gravity out."
+    )
+
+
+def _closed_form(design: Design, scene: Scene, pressures: np.ndarray, begun: float) -> Response:
+    rates = bending_rates(design)
+    start, pitch = pitch_starts(design)
+    row_end = min(start[-1] + pitch, design.length)
+    borders = np.concatenate([np.maximum(start, 0.0), [row_end]])
+    turn = rates * pitch
+    if borders[0] > 0:
+        borders, turn = np.concatenate([[0.0], borders]), np.concatenate([[0.0], turn])
+    if row_end < design.length:
+        borders, turn = np.append(borders, design.length), np.append(turn, 0.0)
+    length = np.diff(borders)
+    strains = np.zeros((len(pressures), len(length), 4))
+    strains[:, :, 2] = np.outer(pressures, turn / length)
+    path = weightless(strains, length)
+    ended = time.perf_counter()
+    return Response(
+        design=design,
+        scene=scene,
+        rung="closed-form",
+        outcome=Outcome.CONVERGED,
+        path=path_points(path, length, turn != 0, pressures, None),
+        centreline=centreline(path, length),
+        wall_s=ended - begun,
+        effects=closed_form_effects(scene),
+        notes=(
+            "Equivalent section in pure bending: no twist, no weight, no bulging of walls; an "
+            "order of magnitude.",
+        ),
+        timings={"section": ended - begun},
+    )

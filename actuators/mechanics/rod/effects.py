@@ -1,0 +1,69 @@
+"""Which physical effects an instant answer holds, why, and what leaving one out would change."""
+
+import numpy as np
+
+from actuators.mechanics.response import Effect
+from actuators.mechanics.rod.solve import RodPath
+from actuators.mechanics.scene import Scene
+
+SMALL_STRAIN = 0.3
+"""Largest strain, mean over an element, up to which a small-strain model is worth reading: the
+tangent of neo-Hooke in tension has fallen to two thirds of its beginning there."""
+
+
+def rod_effects(
+    scene: Scene, path: RodPath, floating: RodPath, length: float, *, cost: float
+) -> tuple[Effect, ...]:
+    """Effects of the energy rung. ``floating``: the weightless shape at the last pressure found;
+    ``length`` of the undeformed rod [m]."""
+    return (
+        _gravity(scene, path, floating, length, cost),
+        Effect("large_rotation", True, "the rod's segments are exact pieces of helix"),
+        Effect(
+            "finite_strain", False,
+            "the chamber is solved once at small strain; stretch and curvature grow in proportion "
+            "to pressure",
+        ),
+        Effect("self_contact", False, "the rod does not know where walls touch"),
+        Effect(
+            "end_effects", False,
+            "every chamber answers as one in a long row; clamp and end pieces hold their "
+            "neighbours back",
+        ),
+    )  # fmt: skip
+
+
+def closed_form_effects(scene: Scene) -> tuple[Effect, ...]:
+    """Effects of the closed form: none but the rotation."""
+    reasons = {
+        "gravity": "the closed form has no weight" if scene.gravity else "the scene has none",
+        "finite_strain": "linear in pressure",
+        "self_contact": "the section does not know where walls touch",
+        "wall_bulging": "walls stay flat in an equivalent section",
+    }
+    off = [Effect(name, False, reason) for name, reason in reasons.items()]
+    return (Effect("large_rotation", True, "constant-curvature arcs"), *off)
+
+
+def strain_notes(per_pressure: float, pressure: float) -> tuple[str, ...]:
+    """A sentence where the largest strain at ``pressure`` leaves what a linear model can say."""
+    largest = per_pressure * pressure
+    if largest <= SMALL_STRAIN:
+        return ()
+    limit = SMALL_STRAIN / per_pressure / 1e3
+    return (
+        f"Strain reaches about {largest:.0%} at {pressure / 1e3:.4g} kPa; this linear model is "
+        f"meant for less than {SMALL_STRAIN:.0%} (about {limit:.2g} kPa). Beyond, solve in 3D.",
+    )
+
+
+def _gravity(scene: Scene, path: RodPath, floating: RodPath, length: float, cost: float) -> Effect:
+    if scene.gravity is None or not any(scene.gravity):
+        return Effect("gravity", False, "the scene has none")
+    reason = "the scene has it; the rod bears its own weight"
+    if len(path.positions) == 0:
+        return Effect("gravity", True, reason, cost_s=cost)
+    tip, free = path.positions[-1, -1], floating.positions[-1, -1]
+    moved = float(np.linalg.norm(tip - np.array([length, 0.0, 0.0])))
+    change = 100 * float(np.linalg.norm(tip - free)) / moved if moved > 0 else 0.0
+    return Effect("gravity", True, reason, estimated_change_percent=change, cost_s=cost)
