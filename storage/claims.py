@@ -5,6 +5,7 @@ given up (asleep, cut off) can write nothing any more. The job's row is the trut
 broker only wakes a worker.
 """
 
+import time
 from collections.abc import Mapping
 from datetime import timedelta
 from typing import Any
@@ -23,10 +24,13 @@ MAX_LOST = 3
 _RESEND_IDLE = timedelta(seconds=5)
 _RESEND_BUSY = timedelta(seconds=30)
 _RESEND_COUNT = 8
+_PRUNE_S = 600.0
 
 
 class Claims(Submission):
     """Claiming, keeping and ending jobs; all of it safe to repeat."""
+
+    _prune_at = 0.0
 
     def claim(
         self, job_id: str, *, worker: str, science_version: str, lease: timedelta = LEASE
@@ -152,7 +156,11 @@ class Claims(Submission):
 
     def sweep(self) -> list[str]:
         """Put jobs whose lease ran out back into the queue, and return the ids of the queued jobs
-        that a message must now be sent for. Due each second, by one process or several."""
+        that a message must now be sent for; now and then, prune the events. Due each second, by
+        one process or several."""
+        if time.monotonic() > self._prune_at:
+            self._prune_at = time.monotonic() + _PRUNE_S
+            self.prune_events()
         j = tables.job.c
         with self._read() as connection:
             now = self._now(connection)

@@ -115,7 +115,7 @@ class Submission(Jobs, Results):
         state = {
             **_NEW, "state": "done", "fraction": 1.0, "message": "Answered from the store",
             "outcome": answer.outcome, "advice": answer.document.get("advice"),
-            "from_store": True, "started_at": now, "finished_at": now,
+            "from_store": True, "created_at": now, "started_at": now, "finished_at": now,
         }  # fmt: skip
         return self._insert_job(connection, question, state)
 

@@ -1,0 +1,54 @@
+"""The migrations lead exactly to the tables the queries are written for."""
+
+import threading
+from pathlib import Path
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from sqlalchemy import create_engine
+
+from storage import open_store
+from storage.tables import metadata
+from tests.storage.databases import database
+
+
+@pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
+def test_an_empty_database_migrates_to_the_tables_of_the_code(kind: str, tmp_path: Path) -> None:
+    with database(kind, tmp_path) as url:
+        store = open_store(url)
+        store.migrate()
+        store.migrate()
+        engine = create_engine(store.url)
+        with engine.connect() as connection:
+            context = MigrationContext.configure(connection, opts={"compare_type": True})
+            assert compare_metadata(context, metadata) == []
+        engine.dispose()
+        store.close()
+
+
+@pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
+def test_several_processes_may_migrate_at_once(kind: str, tmp_path: Path) -> None:
+    with database(kind, tmp_path) as url:
+        errors: list[BaseException] = []
+
+        def migrate() -> None:
+            store = open_store(url)
+            try:
+                store.migrate()
+                store.list_designs()
+            except BaseException as error:  # noqa: BLE001 - handed to the test's own thread
+                errors.append(error)
+            store.close()
+
+        threads = [threading.Thread(target=migrate) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert errors == []
+
+
+def test_a_database_that_processes_cannot_share_is_refused() -> None:
+    with pytest.raises(ValueError, match="no file"):
+        open_store("sqlite://")
