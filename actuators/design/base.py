@@ -49,7 +49,7 @@ class Design(BaseModel):
                 values["family"] = value
                 continue
             if key not in known:
-                raise DesignError(_unknown(key, known), field=key, value=repr(value))
+                raise _unknown(key, value, known)
             values[known[key].name] = _to_si(known[key], value)
         try:
             return cls(**values)
@@ -73,7 +73,7 @@ class Design(BaseModel):
         known = {p.name: p for p in self.parameters()}
         for name, value in border_values.items():
             if name not in known:
-                raise DesignError(_unknown(name, known), field=name, value=repr(value))
+                raise _unknown(name, value, known)
             document[known[name].border_name] = value
         return self.from_document(document)
 
@@ -132,17 +132,21 @@ def _check_limits(p: Parameter, value: Any) -> None:
         )  # fmt: skip
 
 
-def _unknown(key: str, known: Mapping[str, Parameter]) -> str:
+def _unknown(key: str, value: Any, known: Mapping[str, Parameter]) -> DesignError:
     import difflib
 
     near = difflib.get_close_matches(key, known, n=1)
-    hint = f" Did you mean {near[0]}?" if near else f" Known: {', '.join(sorted(known))}."
-    return f"{key} is not a parameter of this family.{hint}"
+    hint = f"Did you mean {near[0]}?" if near else f"Known: {', '.join(sorted(known))}."
+    return DesignError(
+        f"{key} is not a parameter of this family. {hint}",
+        field=key, value=repr(value), mend=hint,
+    )  # fmt: skip
 
 
 def _translate(error: ValidationError) -> DesignError:
     first = error.errors()[0]
     field = str(first["loc"][0]) if first["loc"] else "design"
     return DesignError(
-        f"{field} is {first['input']!r}: {first['msg']}.", field=field, value=repr(first["input"])
-    )
+        f"{field} is {first['input']!r}: {first['msg']}.",
+        field=field, value=repr(first["input"]), mend=f"{first['msg']}.",
+    )  # fmt: skip

@@ -38,8 +38,8 @@ def masses(design: SlabDesign | ObliqueDesign) -> tuple[float, float]:
 
     volumes = exact_volumes(design)
     return (
-        volumes.bottom * material(design.bottom_material).density,
-        volumes.top * material(design.top_material).density,
+        volumes.bottom * material(design.bottom_material, field="bottom_material").density,
+        volumes.top * material(design.top_material, field="top_material").density,
     )
 
 

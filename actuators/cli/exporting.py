@@ -1,0 +1,48 @@
+"""The command that writes files."""
+
+from pathlib import Path
+
+import click
+
+from actuators.cli.reading import read_design
+from actuators.cli.studio import answer, json_option
+from actuators.cli.tables import table
+from actuators.errors import QuestionError
+
+
+@click.command()
+@click.argument("design")
+@click.option("--what", required=True, metavar="KIND,...", help="mould-svg, actuator-stl.")
+@click.option("--to", "folder", required=True, metavar="FOLDER", help="Folder to write into.")
+@click.option(
+    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
+)
+@json_option
+def export(design: str, what: str, folder: str, changes: tuple[str, ...], *, as_json: bool) -> None:
+    """Write files of DESIGN (a preset or a JSON file); files of the same name are replaced."""
+    from actuators.export import write
+
+    chosen = read_design(design, changes)
+    kinds = dict.fromkeys(kind.strip() for kind in what.split(","))
+    # everything is made before anything is written: a bad kind leaves no half set of files
+    made = {kind: write(chosen, kind) for kind in kinds}
+    target = Path(folder)
+    written: list[tuple[str, str, int]] = []
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        for kind, files in made.items():
+            for name, data in files.items():
+                (target / name).write_bytes(data)
+                written.append((name, kind, len(data)))
+    except OSError as error:
+        raise QuestionError(
+            f"to is {folder!r}, where nothing can be written: {error.strerror}. "
+            "Choose another folder.",
+            field="to", value=folder, mend="Choose another folder.",
+        ) from error  # fmt: skip
+    if as_json:
+        files = [{"name": name, "what": kind, "bytes": size} for name, kind, size in written]
+        answer({"folder": str(target), "digest": chosen.digest, "files": files})
+        return
+    click.echo(table(("file", "what", "bytes"), written))
+    click.echo(f"\nin {target}")

@@ -1,0 +1,175 @@
+"""The command that answers: how DESIGN moves under pressure."""
+
+import signal
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from actuators.cli.reading import read_design, read_scene
+from actuators.cli.studio import answer, json_option
+from actuators.cli.tables import table
+from actuators.design import Design
+from actuators.errors import QuestionError
+from actuators.mechanics.response import PathPoint, Response
+from actuators.mechanics.scene import Scene
+from actuators.quantities import parse_number, parse_quantity
+
+if TYPE_CHECKING:
+    from actuators.mechanics.continuum import Progress
+
+RUNGS = ("closed-form", "energy", "fe")
+
+
+@click.command()
+@click.argument("design")
+@click.option("--pressure", metavar="QUANTITY", help="End of the pressure path, such as 30kPa.")
+@click.option("--scene", "scene_file", metavar="FILE", help="Scene as a JSON file.")
+@click.option("--rung", default="energy", show_default=True, metavar="|".join(RUNGS), help="Model.")
+@click.option("--accuracy", metavar="PERCENT", help="Wanted accuracy, such as 2% (rung fe).")
+@click.option(
+    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
+)
+@click.option("--steps", type=int, help="Number of equal pressure steps.")
+@click.option("--c", "constant", metavar="computed|published|VALUE", help="Constant of the energy "
+              "rung (default computed).")  # fmt: skip
+@json_option
+def predict(
+    design: str,
+    pressure: str | None,
+    scene_file: str | None,
+    rung: str,
+    accuracy: str | None,
+    changes: tuple[str, ...],
+    steps: int | None,
+    constant: str | None,
+    *,
+    as_json: bool,
+) -> None:
+    """Predict how DESIGN (a preset or a JSON file) bends and twists under pressure."""
+    chosen = read_design(design, changes)
+    scene = read_scene(pressure, scene_file, steps)
+    response = _ask(chosen, scene, rung, accuracy, constant)
+    if as_json:
+        answer(response.to_document())
+    else:
+        _print(response)
+
+
+def _ask(
+    design: Design, scene: Scene, rung: str, accuracy: str | None, constant: str | None
+) -> Response:
+    if rung not in RUNGS:
+        raise QuestionError(
+            f"rung is {rung!r}; it must be one of {', '.join(RUNGS)}.",
+            field="rung", value=rung, mend=f"Use one of {', '.join(RUNGS)}.",
+        )  # fmt: skip
+    if accuracy is not None and rung != "fe":
+        raise QuestionError(
+            f"accuracy is {accuracy!r}, but the rung {rung} has no accuracy to choose. "
+            "Leave it out, or use --rung fe.",
+            field="accuracy", value=accuracy, mend="Leave it out, or use --rung fe.",
+        )  # fmt: skip
+    if constant is not None and rung != "energy":
+        raise QuestionError(
+            f"c is {constant!r}, but only the energy rung has this constant. "
+            "Leave it out, or use --rung energy.",
+            field="c", value=constant, mend="Leave it out, or use --rung energy.",
+        )  # fmt: skip
+    if rung == "fe":
+        return _solve(design, scene, accuracy)
+    from actuators.mechanics.predict import predict
+
+    return predict(design, scene, rung=rung, c=_constant(constant))
+
+
+def _constant(text: str | None) -> Any:
+    if text in (None, "computed"):
+        return "computed"
+    if text == "published":
+        return "published"
+    return parse_number(str(text), field="c")
+
+
+def _solve(design: Design, scene: Scene, accuracy: str | None) -> Response:
+    wanted = {}
+    if accuracy is not None:
+        wanted["accuracy"] = parse_quantity(accuracy, "fraction", field="accuracy")
+    from actuators.mechanics.continuum import solve
+
+    with _Interruptible() as interrupted:
+        return solve(design, scene, progress=_progress(), cancelled=interrupted, **wanted)
+
+
+class _Interruptible:
+    """While it lasts, the first Ctrl-C asks the solver to end with the path found so far; a second
+    one stops at once."""
+
+    def __enter__(self) -> Callable[[], bool]:
+        self._asked = False
+        self._before = signal.signal(signal.SIGINT, self._note)
+        return lambda: self._asked
+
+    def __exit__(self, *_: object) -> None:
+        signal.signal(signal.SIGINT, self._before)
+
+    def _note(self, *_: object) -> None:
+        if self._asked:
+            raise KeyboardInterrupt
+        self._asked = True
+        click.echo("Ending with what there is; Ctrl-C again stops at once.", err=True)
+
+
+def _progress() -> "Callable[[Progress], None]":
+    """Progress on standard error: one line that changes on a terminal, else a line per percent."""
+    on_terminal = sys.stderr.isatty()
+    last = -1
+
+    def tell(progress: "Progress") -> None:
+        nonlocal last
+        percent = int(100 * progress.fraction)
+        text = f"{percent:3d} %  {progress.message}"
+        if on_terminal:
+            click.echo(f"\r\033[K{text}", nl=percent >= 100, err=True)
+        elif percent > last:
+            click.echo(text, err=True)
+        last = percent
+
+    return tell
+
+
+_COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
+    ("p/kPa", lambda p: p.to_document()["pressure_kPa"]),
+    ("bending/deg", lambda p: p.to_document()["bending_angle_deg"]),
+    ("tip turn/deg", lambda p: p.to_document()["tip_rotation_deg"]),
+    ("tip x1/mm", lambda p: p.to_document()["tip_mm"][0]),
+    ("x2/mm", lambda p: p.to_document()["tip_mm"][1]),
+    ("x3/mm", lambda p: p.to_document()["tip_mm"][2]),
+    ("curvature/(1/m)", lambda p: p.to_document()["curvature_per_m"]),
+    ("torsion/(1/m)", lambda p: p.to_document()["torsion_per_m"]),
+    ("cavity/ml", lambda p: p.to_document()["cavity_volume_ml"]),
+    ("stretch", lambda p: p.to_document()["max_principal_stretch"]),
+)
+
+
+def _print(response: Response) -> None:
+    rows = [[_rounded(column(point)) for _, column in _COLUMNS] for point in response.path]
+    known = [c for c in range(len(_COLUMNS)) if any(row[c] is not None for row in rows)]
+    click.echo(table([_COLUMNS[c][0] for c in known], [[row[c] for c in known] for row in rows]))
+    error = response.error_estimate
+    click.echo(
+        f"\nRung {response.rung}: {response.outcome.value}"
+        + ("" if error is None else f", estimated error {100 * error:.2g} %")
+        + f", {response.wall_s:.3g} s"
+        + (f", {response.unknowns} unknowns" if response.unknowns else "")
+    )
+    for sentence in (*([response.advice] if response.advice else []), *response.notes):
+        click.echo(f"  {sentence}")
+    for sentence in response.design.assumptions():
+        click.echo(f"  Assumed: {sentence}")
+
+
+def _rounded(value: float | None) -> float | None:
+    # what rounding leaves of a zero is noise in a table
+    return None if value is None else round(value, 4) + 0.0
