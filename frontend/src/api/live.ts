@@ -1,0 +1,79 @@
+/** The one websocket of this tab: jobs and history as they change. */
+import { keys, queryClient } from "./queries";
+import { Store } from "./store";
+import type { Job, LiveEvent } from "./types";
+
+export type Connection = "connecting" | "live" | "lost";
+
+export const connection = new Store<Connection>("connecting");
+
+/** Counts connections made; a change means that something may have been missed. */
+export const reconnections = new Store(0);
+
+/** A live channel sends a beat every 15 s; twice that without news and it is taken as lost. */
+const SILENCE_MS = 35_000;
+
+let lastSeq: number | null = null;
+let attempts = 0;
+
+export function withJob(jobs: readonly Job[] | undefined, job: Job): Job[] {
+  const rest = jobs ?? [];
+  const index = rest.findIndex((other) => other.id === job.id);
+  return index < 0 ? [job, ...rest] : rest.with(index, job);
+}
+
+function onJob(job: Job): void {
+  queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
+  if (job.state === "done" || job.state === "failed" || job.state === "cancelled") {
+    void queryClient.invalidateQueries({ queryKey: keys.version(job.version_id) });
+    void queryClient.invalidateQueries({ queryKey: keys.designs });
+    void queryClient.invalidateQueries({ queryKey: ["compare"] });
+  }
+}
+
+function onEvent(event: LiveEvent): void {
+  lastSeq = event.seq;
+  if (event.kind === "job" && event.job) onJob(event.job);
+  if (event.kind === "history") void queryClient.invalidateQueries({ queryKey: keys.designs });
+}
+
+const CHANGING = new Set(["jobs", "designs", "version", "compare", "health"]);
+
+function refetchAll(): void {
+  void queryClient.invalidateQueries({
+    predicate: (query) => query.state.status === "error" || CHANGING.has(String(query.queryKey[0])),
+  });
+}
+
+export function connectLive(): void {
+  const scheme = window.location.protocol === "https:" ? "wss" : "ws";
+  const after = lastSeq === null ? "" : `?after=${lastSeq}`;
+  const socket = new WebSocket(`${scheme}://${window.location.host}/api/live${after}`);
+  let silence = 0;
+
+  const expectBeat = () => {
+    window.clearTimeout(silence);
+    silence = window.setTimeout(() => socket.close(), SILENCE_MS);
+  };
+
+  socket.onopen = () => {
+    expectBeat();
+    const returning = lastSeq !== null || attempts > 0;
+    attempts = 0;
+    connection.set("live");
+    if (!returning) return;
+    refetchAll();
+    reconnections.update((count) => count + 1);
+  };
+  socket.onmessage = (message: MessageEvent<string>) => {
+    expectBeat();
+    onEvent(JSON.parse(message.data) as LiveEvent);
+  };
+  socket.onclose = () => {
+    window.clearTimeout(silence);
+    attempts += 1;
+    connection.set("lost");
+    const pause = Math.min(5000, 300 * 2 ** Math.min(attempts, 5));
+    window.setTimeout(connectLive, pause);
+  };
+}

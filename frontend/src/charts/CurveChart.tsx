@@ -1,0 +1,139 @@
+import { useLayoutEffect, useRef } from "react";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+
+import { useTheme } from "../theme/theme";
+import { useSize } from "../ui/useSize";
+import type { Curve } from "./curve";
+import { drawCurves, drawMarker } from "./draw";
+import { axesOf } from "./axes";
+import { equalRanges, freeRanges } from "./scales";
+
+export interface CurveChartProps {
+  curves: readonly Curve[];
+  xLabel: string;
+  yLabel: string;
+  /** One unit is as long on both axes. */
+  equal?: boolean;
+  /** Pressure marked on every curve [kPa]. */
+  marked: number | null;
+  /** A pressure chosen with the pointer [kPa]. */
+  onPick?: ((pressure: number) => void) | undefined;
+  /** Called after the curves have been drawn. */
+  onDrawn?: (() => void) | undefined;
+  label: string;
+  testId: string;
+}
+
+/** Curves over x and y with one marked pressure; the point under the pointer picks another. */
+export function CurveChart(props: CurveChartProps) {
+  const [ref, size] = useSize();
+  const host = useRef<HTMLDivElement>(null);
+  const plot = useRef<uPlot | null>(null);
+  const latest = useRef(props);
+  const { theme } = useTheme();
+  const { xLabel, yLabel, curves, marked } = props;
+  const ready = size.width > 20 && size.height > 20;
+
+  useLayoutEffect(() => {
+    latest.current = props;
+  });
+
+  useLayoutEffect(() => {
+    if (!ready || !host.current) return;
+    const made = create(host.current, () => latest.current, xLabel, yLabel);
+    plot.current = made;
+    return () => {
+      plot.current = null;
+      made.destroy();
+    };
+  }, [ready, theme, xLabel, yLabel]);
+
+  useLayoutEffect(() => {
+    plot.current?.setSize({ width: size.width, height: size.height });
+  }, [size, ready, theme]);
+
+  useLayoutEffect(() => {
+    // The data stay with the props; a new empty set makes uPlot take ranges and draw anew.
+    plot.current?.setData(EMPTY);
+  }, [curves]);
+
+  useLayoutEffect(() => {
+    plot.current?.redraw(false);
+  }, [marked]);
+
+  return (
+    <div className="chart" ref={ref} role="img" aria-label={props.label} data-testid={props.testId}>
+      <div className="chart-host" ref={host} />
+    </div>
+  );
+}
+
+const EMPTY = [null, [[], []]] as unknown as uPlot.AlignedData;
+
+function create(
+  host: HTMLElement,
+  props: () => CurveChartProps,
+  xLabel: string,
+  yLabel: string,
+): uPlot {
+  const ranges = (u: uPlot) => {
+    const { curves, equal } = props();
+    const ratio = window.devicePixelRatio;
+    return equal ? equalRanges(curves, u.bbox.width / ratio, u.bbox.height / ratio) : freeRanges(curves);
+  };
+  const plot = new uPlot(
+    {
+      // Mode 2 has x and y for each curve. uPlot declares its modes as an enum that is not there.
+      // eslint-disable-next-line @typescript-eslint/no-unsafe-enum-assignment
+      mode: 2,
+      width: Math.max(40, host.clientWidth),
+      height: Math.max(40, host.clientHeight),
+      padding: [8, 10, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: {
+        x: { time: false, range: (u) => ranges(u).x },
+        y: { range: (u) => ranges(u).y },
+      },
+      series: [{}, { paths: () => null, points: { show: false } }] as uPlot.Series[],
+      axes: axesOf(xLabel, yLabel),
+      hooks: {
+        draw: [
+          (u) => {
+            const { curves, marked, onDrawn } = props();
+            drawCurves(u, curves);
+            if (marked !== null) drawMarker(u, curves, marked, !props().equal);
+            onDrawn?.();
+          },
+        ],
+      },
+    },
+    EMPTY,
+    host,
+  );
+  followPointer(plot, props);
+  return plot;
+}
+
+/** Press and drag over the plot moves the marked pressure to the nearest point of a curve. */
+function followPointer(plot: uPlot, props: () => CurveChartProps): void {
+  const pick = (event: PointerEvent) => {
+    if (event.buttons !== 1) return;
+    const box = plot.over.getBoundingClientRect();
+    const px = event.clientX - box.left;
+    const py = event.clientY - box.top;
+    let best: { distance: number; pressure: number } | null = null;
+    for (const curve of props().curves) {
+      for (const point of curve.points) {
+        const dx = plot.valToPos(point.x, "x") - px;
+        const dy = props().equal ? plot.valToPos(point.y, "y") - py : 0;
+        const distance = Math.hypot(dx, dy);
+        if (!best || distance < best.distance) best = { distance, pressure: point.pressure };
+      }
+    }
+    if (best) props().onPick?.(best.pressure);
+  };
+  plot.over.addEventListener("pointerdown", pick);
+  plot.over.addEventListener("pointermove", pick);
+}

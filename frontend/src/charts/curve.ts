@@ -1,0 +1,71 @@
+/** A curve to plot: points over which pressure is known, so that a cursor can find its way. */
+import type { PathPoint, Result } from "../api/types";
+
+export interface CurvePoint {
+  x: number;
+  y: number;
+  pressure: number;
+}
+
+export interface Curve {
+  id: string;
+  label: string;
+  /** Name of the colour's design token. */
+  color: string;
+  points: readonly CurvePoint[];
+  style: "line" | "dashed" | "dots";
+  faded?: boolean;
+}
+
+export function anglePoints(result: Result): CurvePoint[] {
+  return result.path.flatMap((point) =>
+    point.pressure_kPa === null || point.bending_angle_deg === null
+      ? []
+      : [{ x: point.pressure_kPa, y: point.bending_angle_deg, pressure: point.pressure_kPa }],
+  );
+}
+
+/** Tip path in the plane of bending: X1 to the right, X3 up. */
+export function tipPoints(result: Result): CurvePoint[] {
+  return result.path.flatMap((point) => {
+    const [x1, , x3] = point.tip_mm;
+    if (point.pressure_kPa === null || x1 === null || x3 === null) return [];
+    if (x1 === undefined || x3 === undefined) return [];
+    return [{ x: x1, y: x3, pressure: point.pressure_kPa }];
+  });
+}
+
+type Quantity = (point: PathPoint) => number | null | undefined;
+
+/** Value at a pressure, linear between the path's points; null beyond the path, or where the rung
+ * does not know the quantity. */
+export function valueAt(result: Result, pressure: number, quantity: Quantity): number | null {
+  const path = result.path;
+  for (let index = 0; index < path.length; index++) {
+    const point = path[index];
+    if (!point || point.pressure_kPa === null) continue;
+    if (Math.abs(point.pressure_kPa - pressure) < 1e-9) return quantity(point) ?? null;
+    const next = path[index + 1];
+    if (!next || next.pressure_kPa === null) continue;
+    if ((pressure - point.pressure_kPa) * (pressure - next.pressure_kPa) > 0) continue;
+    const from = quantity(point);
+    const to = quantity(next);
+    if (from === null || from === undefined || to === null || to === undefined) return null;
+    const share = (pressure - point.pressure_kPa) / (next.pressure_kPa - point.pressure_kPa);
+    return from + share * (to - from);
+  }
+  return null;
+}
+
+export function pointAt(points: readonly CurvePoint[], pressure: number): CurvePoint | null {
+  for (let index = 0; index < points.length; index++) {
+    const point = points[index];
+    if (!point) continue;
+    if (Math.abs(point.pressure - pressure) < 1e-9) return point;
+    const next = points[index + 1];
+    if (!next || (pressure - point.pressure) * (pressure - next.pressure) > 0) continue;
+    const share = (pressure - point.pressure) / (next.pressure - point.pressure);
+    return { x: point.x + share * (next.x - point.x), y: point.y + share * (next.y - point.y), pressure };
+  }
+  return null;
+}

@@ -1,0 +1,91 @@
+/** Curves and markers on a plot's canvas. */
+import type uPlot from "uplot";
+
+import { token } from "../theme/theme";
+import { pointAt, type Curve, type CurvePoint } from "./curve";
+
+type Place = (point: { x: number; y: number }) => [number, number];
+
+function placer(u: uPlot): Place {
+  return (point) => [u.valToPos(point.x, "x", true), u.valToPos(point.y, "y", true)];
+}
+
+function clipped(u: uPlot, draw: (context: CanvasRenderingContext2D, ratio: number) => void): void {
+  const { ctx, bbox } = u;
+  const ratio = window.devicePixelRatio;
+  const slack = 5 * ratio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left - slack, bbox.top - slack, bbox.width + 2 * slack, bbox.height + 2 * slack);
+  ctx.clip();
+  draw(ctx, ratio);
+  ctx.restore();
+}
+
+function strokeLine(ctx: CanvasRenderingContext2D, points: readonly CurvePoint[], place: Place): void {
+  ctx.beginPath();
+  points.forEach((point, index) => {
+    const [x, y] = place(point);
+    if (index === 0) ctx.moveTo(x, y);
+    else ctx.lineTo(x, y);
+  });
+  ctx.stroke();
+}
+
+function dot(ctx: CanvasRenderingContext2D, [x, y]: [number, number], radius: number): void {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+export function drawCurves(u: uPlot, curves: readonly Curve[]): void {
+  const place = placer(u);
+  clipped(u, (ctx, ratio) => {
+    ctx.lineJoin = "round";
+    for (const curve of curves) {
+      const color = token(curve.color);
+      ctx.globalAlpha = curve.faded ? 0.45 : 1;
+      ctx.strokeStyle = color;
+      ctx.lineWidth = (curve.style === "dots" ? 1.2 : 2) * ratio;
+      ctx.setLineDash(curve.style === "dashed" ? [6 * ratio, 4 * ratio] : []);
+      strokeLine(ctx, curve.points, place);
+      ctx.setLineDash([]);
+      if (curve.style !== "dots") continue;
+      ctx.fillStyle = token("--panel");
+      ctx.lineWidth = 1.6 * ratio;
+      for (const point of curve.points) {
+        dot(ctx, place(point), 2.8 * ratio);
+        ctx.fill();
+        ctx.stroke();
+      }
+    }
+    ctx.globalAlpha = 1;
+  });
+}
+
+/** The marked pressure: a point on every curve, and a line where pressure is the x axis. */
+export function drawMarker(u: uPlot, curves: readonly Curve[], pressure: number, upright: boolean): void {
+  const place = placer(u);
+  clipped(u, (ctx, ratio) => {
+    if (upright) {
+      const x = u.valToPos(pressure, "x", true);
+      ctx.strokeStyle = token("--muted");
+      ctx.lineWidth = ratio;
+      ctx.setLineDash([3 * ratio, 3 * ratio]);
+      ctx.beginPath();
+      ctx.moveTo(x, u.bbox.top);
+      ctx.lineTo(x, u.bbox.top + u.bbox.height);
+      ctx.stroke();
+      ctx.setLineDash([]);
+    }
+    for (const curve of curves) {
+      const point = pointAt(curve.points, pressure);
+      if (!point) continue;
+      ctx.fillStyle = token(curve.color);
+      ctx.strokeStyle = token("--panel");
+      ctx.lineWidth = 2 * ratio;
+      dot(ctx, place(point), 4.5 * ratio);
+      ctx.fill();
+      ctx.stroke();
+    }
+  });
+}

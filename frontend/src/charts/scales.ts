@@ -1,0 +1,44 @@
+/** Ranges of plots. */
+import type { Curve } from "./curve";
+
+export type Range = [number, number];
+
+export function rangeOf(values: readonly number[], withZero: boolean): Range {
+  const finite = values.filter(Number.isFinite);
+  let low = Math.min(...finite, withZero ? 0 : Infinity);
+  let high = Math.max(...finite, withZero ? 0 : -Infinity);
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
+  if (high - low < 1e-9) {
+    low -= 0.5;
+    high += 0.5;
+  }
+  return [low, high];
+}
+
+function padded([low, high]: Range, share: number): Range {
+  const pad = (high - low) * share;
+  return [low - pad, high + pad];
+}
+
+export function freeRanges(curves: readonly Curve[]): { x: Range; y: Range } {
+  const points = curves.flatMap((curve) => curve.points);
+  const x = rangeOf(points.map((point) => point.x), true);
+  const y = rangeOf(points.map((point) => point.y), true);
+  const [low, high] = padded(y, 0.06);
+  return { x, y: [y[0] === 0 ? 0 : low, y[1] === 0 ? 0 : high] };
+}
+
+/** Ranges in which a millimetre is as long across as up; the data stand in the middle. */
+export function equalRanges(curves: readonly Curve[], width: number, height: number): { x: Range; y: Range } {
+  const points = curves.flatMap((curve) => curve.points);
+  const x = padded(rangeOf([0, ...points.map((point) => point.x)], false), 0.06);
+  const y = padded(rangeOf([0, ...points.map((point) => point.y)], false), 0.06);
+  if (width <= 0 || height <= 0) return { x, y };
+  const scale = Math.max((x[1] - x[0]) / width, (y[1] - y[0]) / height);
+  return { x: centred(x, scale * width), y: centred(y, scale * height) };
+}
+
+function centred([low, high]: Range, span: number): Range {
+  const middle = (low + high) / 2;
+  return [middle - span / 2, middle + span / 2];
+}

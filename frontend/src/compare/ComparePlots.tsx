@@ -1,0 +1,62 @@
+import type { ComparedSide, Comparison } from "../api/types";
+import { anglePoints, tipPoints, type Curve } from "../charts/curve";
+import { CurveChart } from "../charts/CurveChart";
+import { ChartLegend } from "../charts/Legend";
+import { Notice } from "../ui/Notice";
+
+function sideCurves(side: ComparedSide, which: "left" | "right", points: typeof anglePoints): Curve[] {
+  const color = which === "left" ? "--series-instant" : "--series-fe";
+  const name = `${which === "left" ? "Left" : "Right"} v${side.version.number}`;
+  const curves: Curve[] = [];
+  if (side.instant_result) {
+    const style = which === "left" ? "line" : "dashed";
+    curves.push({ id: `${which}-instant`, label: name, color, points: points(side.instant_result), style });
+  }
+  if (side.fe_result) {
+    curves.push({ id: `${which}-fe`, label: `${name}, FE`, color, points: points(side.fe_result), style: "dots" });
+  }
+  return curves;
+}
+
+/** Curves of both versions over one another. */
+export function ComparePlots({ comparison }: { comparison: Comparison }) {
+  const { left, right } = comparison;
+  const angle = [...sideCurves(left, "left", anglePoints), ...sideCurves(right, "right", anglePoints)];
+  const tip = [...sideCurves(left, "left", tipPoints), ...sideCurves(right, "right", tipPoints)];
+  return (
+    <div className="compare-plots">
+      {[left, right].map(
+        (side) =>
+          side.instant_error && (
+            <Notice key={side.version.id} tone="warn">
+              {side.version.design_name} v{side.version.number}: {side.instant_error}
+            </Notice>
+          ),
+      )}
+      <div className="plot-head">
+        <h2>Bending angle</h2>
+        <ChartLegend curves={angle} />
+      </div>
+      <CurveChart
+        curves={angle}
+        xLabel="Pressure (kPa)"
+        yLabel="Bending angle (°)"
+        marked={null}
+        label="Bending angle of both versions over pressure"
+        testId="compare-angle"
+      />
+      <div className="plot-head">
+        <h2>Tip trajectory</h2>
+      </div>
+      <CurveChart
+        curves={tip}
+        xLabel="X₁ (mm)"
+        yLabel="X₃ (mm)"
+        equal
+        marked={null}
+        label="Tip path of both versions"
+        testId="compare-tip"
+      />
+    </div>
+  );
+}

@@ -1,0 +1,117 @@
+import { useQuery } from "@tanstack/react-query";
+
+import { messageOf } from "../api/client";
+import { families, presets } from "../api/queries";
+import { usePick, useStore } from "../api/store";
+import type { Parameter, ProblemDetail } from "../api/types";
+import { Button } from "../ui/Button";
+import { Busy, Notice } from "../ui/Notice";
+import { Segmented } from "../ui/Segmented";
+import { answers } from "../workbench/answers";
+import { familyOf, type DesignDocument, type Work } from "../workbench/document";
+import { bench, setParameters } from "../workbench/workbench";
+import { densityOf, densityValues } from "./density";
+import { ParameterRow } from "./ParameterRow";
+import { isRelevant } from "./relevance";
+import { SceneGroup } from "./SceneGroup";
+
+/** Every parameter of the design on the bench, grouped as the family groups them. */
+export function ParameterPanel() {
+  const query = useQuery(families);
+  const present = usePick(bench, (timeline) => timeline?.present ?? null);
+  const { designProblem, sceneProblem } = useStore(answers);
+  if (query.error) {
+    return (
+      <Notice tone="bad" action={<Button onClick={() => void query.refetch()}>Try again</Button>}>
+        {messageOf(query.error)}
+      </Notice>
+    );
+  }
+  if (!query.data || !present) return <Busy label="Reading the parameters" />;
+  const { work, baseline } = present;
+  const family = query.data.find((each) => each.family === familyOf(work.design));
+  if (!family) return <Notice tone="bad">This design belongs to a family that this version does not know.</Notice>;
+  const parameters = family.parameters.filter((parameter) => isRelevant(parameter.name, work.design));
+  const problem = designProblem ?? sceneProblem;
+  return (
+    <div className="parameters" data-testid="parameters">
+      {problem && !isPlaced(problem, parameters) && (
+        <Notice tone="bad" testId="problem-general">
+          {problem.message} {!problem.message.includes(problem.mend) && <strong>{problem.mend}</strong>}
+        </Notice>
+      )}
+      <SceneGroup work={work} baseline={baseline} problem={problem && isScene(problem) ? problem : null} />
+      {groupsOf(parameters).map(([group, members]) => (
+        <section className="parameter-group" key={group} aria-label={group}>
+          <h3>{group}</h3>
+          {group === "Chambers" && work.design.family === "slab" && <DensityRow design={work.design} />}
+          {members.map((parameter) => (
+            <Row key={parameter.name} parameter={parameter} work={work} baseline={baseline} problem={problem} />
+          ))}
+        </section>
+      ))}
+    </div>
+  );
+}
+
+function Row(props: { parameter: Parameter; work: Work; baseline: Work; problem: ProblemDetail | null }) {
+  const { parameter, work, baseline, problem } = props;
+  const value = work.design[parameter.border_name] ?? parameter.default;
+  const opened = baseline.design[parameter.border_name] ?? parameter.default;
+  return (
+    <ParameterRow
+      parameter={parameter}
+      value={value}
+      opened={opened}
+      problem={problem && names(problem, parameter) ? problem : null}
+    />
+  );
+}
+
+function DensityRow({ design }: { design: DesignDocument }) {
+  const { data: list = [] } = useQuery(presets);
+  const density = densityOf(list, design);
+  return (
+    <div className="parameter choice">
+      <span className="parameter-name" title="Chamber density: sets number of chambers, channel and walls">
+        <span className="parameter-label">Density</span>
+      </span>
+      <Segmented
+        label="Chamber density"
+        value={density}
+        options={[
+          { value: "low", label: "Low", title: "The source's low-density row" },
+          { value: "high", label: "High", title: "The source's high-density row" },
+          { value: "own", label: "Own", title: "Number of chambers and walls as set below", disabled: density !== "own" },
+        ]}
+        onChange={(next) => {
+          if (next === "own") return;
+          const values = densityValues(list, String(design.planform), next);
+          if (values) setParameters("density", values);
+        }}
+        testId="choice-density"
+      />
+    </div>
+  );
+}
+
+function groupsOf(parameters: readonly Parameter[]): [string, Parameter[]][] {
+  const groups = new Map<string, Parameter[]>();
+  for (const parameter of parameters) {
+    groups.set(parameter.group, [...(groups.get(parameter.group) ?? []), parameter]);
+  }
+  return [...groups];
+}
+
+function names(problem: ProblemDetail, parameter: Parameter): boolean {
+  const field = problem.field.split(".").at(-1);
+  return field === parameter.name || field === parameter.border_name;
+}
+
+function isScene(problem: ProblemDetail): boolean {
+  return /pressure|steps|gravity/.test(problem.field);
+}
+
+function isPlaced(problem: ProblemDetail, parameters: readonly Parameter[]): boolean {
+  return isScene(problem) || parameters.some((parameter) => names(problem, parameter));
+}

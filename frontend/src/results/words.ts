@@ -1,0 +1,51 @@
+/** Outcomes and rungs in words. */
+import type { Job } from "../api/types";
+
+const OUTCOMES: Record<string, string> = {
+  converged: "Reached the full pressure.",
+  limit_point: "Reached a limit point: beyond it the actuator grows without more pressure.",
+  stalled: "Stopped early: no equilibrium was found beyond the last point.",
+  cancelled: "Cancelled; the part that was found is kept.",
+  budget_spent: "Stopped early: the allowed time was used up.",
+};
+
+export function outcomeInWords(outcome: string): string {
+  return OUTCOMES[outcome] ?? outcome.replaceAll("_", " ");
+}
+
+export function percent(fraction: number): string {
+  return `${Number((fraction * 100).toPrecision(3))} %`;
+}
+
+export function feLabel(job: Job): string {
+  return `FE ${percent(job.accuracy)}`;
+}
+
+const STATES: Record<Job["state"], string> = {
+  queued: "Queued",
+  running: "Running",
+  done: "Done",
+  failed: "Failed",
+  cancelled: "Cancelled",
+};
+
+export function stateInWords(job: Job): string {
+  if (job.state === "running" && job.cancelling) return "Stopping";
+  if (job.state === "done" && job.outcome === "limit_point") return "Done, limit point";
+  if (job.state === "done" && job.outcome && job.outcome !== "converged") return "Ended early";
+  if (job.state === "done" && job.from_store) return "Done, from store";
+  return STATES[job.state];
+}
+
+/** The sentence under a job: what it does, or why it ended. */
+export function jobSentence(job: Job): string {
+  if (job.state === "failed") return job.error ?? "The job failed without a reason.";
+  if (job.state === "cancelled") return job.message || "Cancelled before it gave a result.";
+  if (job.state === "done") {
+    if (job.outcome === "converged") return job.advice ?? (job.from_store ? "The same question was answered before." : "");
+    return [job.outcome && outcomeInWords(job.outcome), job.advice].filter(Boolean).join(" ");
+  }
+  if (job.state === "queued") return job.message || "Waiting for a worker.";
+  const again = job.lost > 0 ? `Taken up again after its worker was lost (attempt ${job.attempt}). ` : "";
+  return again + job.message;
+}

@@ -1,0 +1,51 @@
+import { useSyncExternalStore } from "react";
+
+export type ThemeChoice = "system" | "light" | "dark";
+export type Theme = "light" | "dark";
+
+const KEY = "pneustudio.theme";
+const system = window.matchMedia("(prefers-color-scheme: dark)");
+const listeners = new Set<() => void>();
+
+function readChoice(): ThemeChoice {
+  const stored = localStorage.getItem(KEY);
+  return stored === "light" || stored === "dark" ? stored : "system";
+}
+
+let choice = readChoice();
+
+function resolve(): Theme {
+  if (choice !== "system") return choice;
+  return system.matches ? "dark" : "light";
+}
+
+function apply(): void {
+  document.documentElement.dataset.theme = resolve();
+  for (const listener of listeners) listener();
+}
+
+system.addEventListener("change", apply);
+apply();
+
+export function setThemeChoice(next: ThemeChoice): void {
+  choice = next;
+  if (next === "system") localStorage.removeItem(KEY);
+  else localStorage.setItem(KEY, next);
+  apply();
+}
+
+function subscribe(listener: () => void): () => void {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+}
+
+export function useTheme(): { theme: Theme; choice: ThemeChoice } {
+  const theme = useSyncExternalStore(subscribe, resolve);
+  const current = useSyncExternalStore(subscribe, () => choice);
+  return { theme, choice: current };
+}
+
+/** Resolved value of a design token, for drawing on a canvas. */
+export function token(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}

@@ -1,0 +1,39 @@
+/** Number as a designer types it: no trailing zeros, at most 6 significant digits. */
+export function formatNumber(value: number): string {
+  return String(Number(value.toPrecision(6)));
+}
+
+/** Reads "7.3", "7,3" and " 7.3 "; null for anything else. */
+export function parseNumber(text: string): number | null {
+  const clean = text.trim().replace(",", ".");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(clean)) return null;
+  const value = Number(clean);
+  return Number.isFinite(value) ? value : null;
+}
+
+/** A quantity to read: fixed decimals by size, a dash where there is none. */
+export function formatQuantity(value: number | null | undefined, digits = 3): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "—";
+  const size = Math.abs(value);
+  if (size !== 0 && (size >= 1e5 || size < 1e-3)) return value.toExponential(digits - 1).replace("-", "−");
+  const whole = size >= 1 ? Math.floor(Math.log10(size)) + 1 : 1;
+  const decimals = Math.max(0, Math.min(4, digits - whole));
+  const text = value.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+}
+
+export function formatSeconds(seconds: number): string {
+  if (seconds < 10) return `${seconds.toFixed(1)} s`;
+  if (seconds < 60) return `${seconds.toFixed(0)} s`;
+  const minutes = Math.floor(seconds / 60);
+  if (minutes < 60) return `${minutes} min ${Math.floor(seconds % 60).toString().padStart(2, "0")} s`;
+  return `${Math.floor(minutes / 60)} h ${(minutes % 60).toString().padStart(2, "0")} min`;
+}
+
+export function formatMoment(iso: string): string {
+  const moment = new Date(iso);
+  const today = new Date().toDateString() === moment.toDateString();
+  return today
+    ? moment.toLocaleTimeString(undefined, { hour: "2-digit", minute: "2-digit" })
+    : moment.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+}

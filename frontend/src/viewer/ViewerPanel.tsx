@@ -1,0 +1,167 @@
+import { useEffect, useRef, useState } from "react";
+
+import { connection } from "../api/live";
+import { usePick, useStore } from "../api/store";
+import { useShownFe } from "../results/shown";
+import { feLabel } from "../results/words";
+import { Button } from "../ui/Button";
+import { Icon } from "../ui/Icon";
+import { Busy, Empty } from "../ui/Notice";
+import { Segmented } from "../ui/Segmented";
+import { ColourLegend } from "./ColourLegend";
+import { ScrubBar } from "./ScrubBar";
+import { setViewer, viewerSettings } from "./settings";
+import { useViewFeed } from "./useViewFeed";
+import { openView, setCamera, view, type Camera, type Colour } from "./view";
+
+const COLOURS: readonly { value: Colour; label: string; title: string }[] = [
+  { value: "displacement", label: "Displacement", title: "Length of the displacement" },
+  { value: "stretch", label: "Stretch", title: "Largest principal stretch" },
+  { value: "stress", label: "Stress", title: "Largest principal Cauchy stress" },
+  { value: "none", label: "Plain", title: "Colours of the materials" },
+];
+
+const CAMERAS: readonly { value: Camera; label: string; title: string }[] = [
+  { value: "three-quarter", label: "3D", title: "View from the corner" },
+  { value: "side", label: "Side", title: "View along X2" },
+  { value: "top", label: "Top", title: "View along X3" },
+  { value: "front", label: "Tip", title: "View along X1, onto the free end" },
+];
+
+/** The 3D view with its controls above and the pressure scrubber below. */
+export function ViewerPanel() {
+  useViewFeed();
+  return (
+    <section className="viewer" aria-label="3D view">
+      <Toolbar />
+      <Stage />
+      <ScrubBar />
+    </section>
+  );
+}
+
+function Toolbar() {
+  const settings = useStore(viewerSettings);
+  const fe = useShownFe();
+  const offered = usePick(view, (state) => state.content?.colours ?? null);
+  return (
+    <div className="viewer-toolbar">
+      <Segmented
+        label="Source of the 3D view"
+        value={settings.source === "fe" && fe ? "fe" : "instant"}
+        options={[
+          { value: "instant", label: "Instant", title: "The instant answer to the parameters as they stand" },
+          {
+            value: "fe",
+            label: "FE",
+            title: fe ? feLabel(fe.job) : "This version has no finite-element result yet",
+            disabled: !fe,
+          },
+        ]}
+        onChange={(source) => setViewer({ source })}
+        testId="viewer-source"
+      />
+      <div className="spacer" />
+      <label className="check" title="Show the body before gravity and pressure as well">
+        <input
+          type="checkbox"
+          checked={settings.undeformed}
+          data-testid="viewer-undeformed"
+          onChange={(event) => setViewer({ undeformed: event.currentTarget.checked })}
+        />
+        Undeformed
+      </label>
+      <Segmented
+        label="Colour by"
+        value={settings.colour}
+        options={COLOURS.map((each) => {
+          const missing = offered !== null && each.value !== "none" && !offered.includes(each.value);
+          return missing
+            ? { ...each, disabled: true, title: `${each.title}: only a finite-element result has it` }
+            : each;
+        })}
+        onChange={(colour) => setViewer({ colour })}
+        testId="viewer-colour"
+      />
+    </div>
+  );
+}
+
+function Stage() {
+  const state = useStore(view);
+  const lost = useStore(connection) === "lost";
+  return (
+    <div className="stage" data-testid="viewer-stage" data-phase={state.phase}>
+      {state.url && <Frame key={state.room} url={state.url} />}
+      {state.phase === "opening" && !lost && (
+        <div className="stage-cover">
+          <Busy label="Preparing the 3D view" />
+        </div>
+      )}
+      {state.phase === "failed" && !lost && (
+        <div className="stage-cover">
+          <Empty title="The 3D view could not be opened">
+            <p>{state.problem}</p>
+            <Button onClick={() => void openView()}>Try again</Button>
+          </Empty>
+        </div>
+      )}
+      {lost && (
+        <div className="stage-cover veil" data-testid="viewer-lost">
+          <Empty title="The studio is out of reach">
+            <p>The view comes back by itself. Your parameters are kept in this browser.</p>
+          </Empty>
+        </div>
+      )}
+      {state.phase === "ready" && state.problem && (
+        <p className="stage-problem" role="alert">
+          <Icon name="warning" size={13} /> {state.problem}
+        </p>
+      )}
+      {state.phase === "ready" && !lost && (
+        <>
+          <ColourLegend content={state.content} busy={state.busy} />
+          <div className="cameras" role="group" aria-label="Camera">
+            {CAMERAS.map((camera) => (
+              <button key={camera.value} type="button" title={camera.title} onClick={() => setCamera(camera.value)}>
+                {camera.label}
+              </button>
+            ))}
+          </div>
+        </>
+      )}
+    </div>
+  );
+}
+
+/** The room's page. A frame that lost its socket connects again only when it has the focus, so it
+ * is given the focus when the studio is back, and the page takes it back. */
+function Frame({ url }: { url: string }) {
+  const frame = useRef<HTMLIFrameElement>(null);
+  const [loaded, setLoaded] = useState(false);
+  const state = useStore(connection);
+  const before = useRef(state);
+
+  useEffect(() => {
+    const returned = before.current === "lost" && state === "live";
+    before.current = state;
+    if (!returned) return;
+    const holder = document.activeElement;
+    frame.current?.contentWindow?.focus();
+    const back = window.setTimeout(() => {
+      if (holder instanceof HTMLElement) holder.focus({ preventScroll: true });
+    }, 300);
+    return () => window.clearTimeout(back);
+  }, [state]);
+
+  return (
+    <iframe
+      ref={frame}
+      src={url}
+      title="3D view of the actuator: drag to turn, wheel to zoom"
+      className={loaded ? "loaded" : ""}
+      data-testid="viewer-frame"
+      onLoad={() => setLoaded(true)}
+    />
+  );
+}

@@ -1,0 +1,30 @@
+/** How the 3D view shows things; kept between visits. */
+import { Store } from "../api/store";
+import type { Colour } from "./view";
+
+export interface ViewerSettings {
+  readonly source: "instant" | "fe";
+  readonly colour: Colour;
+  readonly undeformed: boolean;
+}
+
+const KEY = "pneustudio.viewer";
+const INITIAL: ViewerSettings = { source: "instant", colour: "displacement", undeformed: true };
+
+function read(): ViewerSettings {
+  try {
+    const stored = JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<ViewerSettings>;
+    // The source is not kept: a visit begins with the answer that is always there.
+    return { ...INITIAL, ...stored, source: "instant" };
+  } catch {
+    return INITIAL;
+  }
+}
+
+export const viewerSettings = new Store<ViewerSettings>(read());
+
+viewerSettings.subscribe(() => localStorage.setItem(KEY, JSON.stringify(viewerSettings.get())));
+
+export function setViewer(change: Partial<ViewerSettings>): void {
+  viewerSettings.update((now) => ({ ...now, ...change }));
+}

@@ -1,0 +1,43 @@
+import { useEffect } from "react";
+
+import { usePick, useStore } from "../api/store";
+import { useShownFe } from "../results/shown";
+import { useTheme } from "../theme/theme";
+import { answers } from "../workbench/answers";
+import { sceneOf } from "../workbench/document";
+import { frameIndex, scrubber } from "../workbench/scrubber";
+import { viewerSettings } from "./settings";
+import { openView, setDark, showContent, showFrame, view } from "./view";
+
+/** Keeps the room in step with the bench, the settings, the scrubber and the theme. */
+export function useViewFeed(): void {
+  const { colour, undeformed, source } = useStore(viewerSettings);
+  // The last design that was answered: one that is refused has no body to show.
+  const answered = usePick(answers, (now) => now.answered);
+  const feJobId = useShownFe()?.job.id ?? null;
+  const jobId = source === "fe" ? feJobId : null;
+  const index = usePick(scrubber, frameIndex);
+  const { theme } = useTheme();
+  const viewId = usePick(view, (state) => state.viewId);
+
+  useEffect(() => {
+    setDark(theme === "dark");
+  }, [theme, viewId]);
+
+  useEffect(() => {
+    void openView();
+  }, []);
+
+  useEffect(() => {
+    if (jobId !== null) {
+      showContent({ source: { kind: "job", job_id: jobId }, colour, undeformed, frame: null });
+    } else if (answered) {
+      const source = { kind: "instant" as const, design: answered.design, scene: sceneOf(answered) };
+      showContent({ source, colour, undeformed, frame: null });
+    }
+  }, [answered, jobId, colour, undeformed]);
+
+  useEffect(() => {
+    showFrame(index);
+  }, [index]);
+}

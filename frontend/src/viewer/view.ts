@@ -1,0 +1,149 @@
+/** The room of the 3D view: opened once, fed with content and frames, reopened when it is gone. */
+import { api, ApiProblem, messageOf, take } from "../api/client";
+import { Lane } from "../api/lane";
+import { reconnections } from "../api/live";
+import { Store } from "../api/store";
+import type { ContentRequest } from "../api/types";
+import { setFrames } from "../workbench/scrubber";
+
+function putContent({ viewId, body }: Placed<ContentRequest>) {
+  return take(api.PUT("/api/views/{view_id}/content", { params: { path: { view_id: viewId } }, body }));
+}
+
+export type ViewContent = Awaited<ReturnType<typeof putContent>>;
+
+export interface ViewState {
+  readonly phase: "opening" | "ready" | "failed";
+  readonly viewId: string | null;
+  readonly url: string | null;
+  /** Counts rooms opened, so that the frame is loaded anew. */
+  readonly room: number;
+  readonly content: ViewContent | null;
+  readonly problem: string | null;
+  /** True while content that was asked for has not arrived. */
+  readonly busy: boolean;
+}
+
+export const view = new Store<ViewState>({
+  phase: "opening",
+  viewId: null,
+  url: null,
+  room: 0,
+  content: null,
+  problem: null,
+  busy: false,
+});
+
+export type Colour = ContentRequest["colour"];
+export type Camera = "three-quarter" | "side" | "top" | "front";
+
+interface Placed<T> {
+  viewId: string;
+  body: T;
+}
+
+let wanted: ContentRequest | null = null;
+let frame = 0;
+let dark = false;
+let opening: Promise<void> | null = null;
+
+function patch(change: Partial<ViewState>): void {
+  view.update((state) => ({ ...state, ...change }));
+}
+
+function onFailure(error: unknown): void {
+  if (error instanceof ApiProblem && error.status === 404) {
+    // The room was closed while nobody looked, or the studio was started anew.
+    patch({ viewId: null });
+    void openView();
+    return;
+  }
+  patch({ problem: messageOf(error), busy: false });
+}
+
+const contents = new Lane<Placed<ContentRequest>, ViewContent>(
+  putContent,
+  ({ body }, content) => {
+    patch({ content, problem: null, phase: "ready", busy: body !== wanted });
+    setFrames(content.pressures_kPa);
+  },
+  (_, error) => onFailure(error),
+  120,
+);
+
+const frames = new Lane<Placed<number>, unknown>(
+  ({ viewId, body }) =>
+    take(
+      api.PUT("/api/views/{view_id}/frame", { params: { path: { view_id: viewId } }, body: { index: body } }),
+    ),
+  () => undefined,
+  (_, error) => onFailure(error),
+);
+
+export function showContent(content: ContentRequest): void {
+  wanted = content;
+  const { viewId } = view.get();
+  if (viewId === null) return;
+  patch({ busy: true });
+  contents.ask({ viewId, body: content });
+}
+
+export function showFrame(index: number): void {
+  frame = index;
+  const { viewId, content } = view.get();
+  if (viewId === null || content === null || content.pressures_kPa.length === 0) return;
+  frames.ask({ viewId, body: Math.min(index, content.pressures_kPa.length - 1) });
+}
+
+export function setDark(next: boolean): void {
+  dark = next;
+  appear({ dark });
+}
+
+export function setCamera(camera: Camera): void {
+  appear({ camera });
+}
+
+function appear(body: { dark?: boolean; camera?: Camera }): void {
+  const { viewId } = view.get();
+  if (viewId === null) return;
+  take(
+    api.PUT("/api/views/{view_id}/appearance", { params: { path: { view_id: viewId } }, body }),
+  ).catch(onFailure);
+}
+
+async function open(): Promise<void> {
+  try {
+    const made = await take(api.POST("/api/views", { body: { dark } }));
+    view.update((state) => ({
+      ...state,
+      viewId: made.view_id,
+      url: made.url,
+      room: state.room + 1,
+      problem: null,
+    }));
+    if (wanted) showContent(wanted);
+    if (frame > 0) showFrame(frame);
+  } catch (error) {
+    patch({ phase: "failed", problem: messageOf(error), busy: false });
+  }
+}
+
+export function openView(): Promise<void> {
+  opening ??= open().finally(() => {
+    opening = null;
+  });
+  return opening;
+}
+
+/** After the studio was away its rooms are gone; asking for content finds out. */
+reconnections.subscribe(() => {
+  if (view.get().viewId === null) void openView();
+  else if (wanted) showContent(wanted);
+});
+
+window.addEventListener("pagehide", (event) => {
+  const { viewId } = view.get();
+  if (viewId === null || event.persisted) return;
+  void fetch(`/api/views/${encodeURIComponent(viewId)}`, { method: "DELETE", keepalive: true });
+});

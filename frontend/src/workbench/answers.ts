@@ -1,0 +1,98 @@
+/** The instant answer and the checked drawing of what is on the bench, asked anew at every change. */
+import { api, ApiProblem, take } from "../api/client";
+import { Lane } from "../api/lane";
+import { reconnections } from "../api/live";
+import { Store } from "../api/store";
+import type { DesignCheck, Prediction, ProblemDetail, Result } from "../api/types";
+import { sameDesign, sameQuestion, sceneOf, type DesignDocument, type Work } from "./document";
+import { latestInput } from "./latency";
+import { bench } from "./workbench";
+
+export interface Answers {
+  readonly result: Result | null;
+  /** The work that `result` answers; differs from the bench while asking, or after a refusal. */
+  readonly answered: Work | null;
+  readonly input: number;
+  readonly totalMs: number | null;
+  readonly check: DesignCheck | null;
+  readonly checked: DesignDocument | null;
+  /** What is wrong with the design on the bench, from either question. */
+  readonly designProblem: ProblemDetail | null;
+  readonly sceneProblem: ProblemDetail | null;
+  readonly unreachable: boolean;
+}
+
+const NOTHING: Answers = {
+  result: null,
+  answered: null,
+  input: 0,
+  totalMs: null,
+  check: null,
+  checked: null,
+  designProblem: null,
+  sceneProblem: null,
+  unreachable: false,
+};
+
+export const answers = new Store<Answers>(NOTHING);
+
+interface Question {
+  work: Work;
+  input: number;
+}
+
+function asProblem(error: unknown): ProblemDetail | null {
+  if (error instanceof ApiProblem) return error.detail;
+  return null;
+}
+
+const predictions = new Lane<Question, Prediction>(
+  ({ work }) => take(api.POST("/api/predict", { body: { design: work.design, scene: sceneOf(work), rung: "energy", c: "computed" } })),
+  ({ work, input }, answer) =>
+    answers.update((now) => ({
+      ...now,
+      result: answer.result,
+      answered: work,
+      input,
+      totalMs: answer.timings_ms.total ?? null,
+      sceneProblem: null,
+      unreachable: false,
+    })),
+  (_, error) => {
+    const problem = asProblem(error);
+    answers.update((now) => ({ ...now, sceneProblem: problem, unreachable: problem === null }));
+  },
+);
+
+const checks = new Lane<DesignDocument, DesignCheck>(
+  (design) => take(api.POST("/api/designs/check", { body: { design } })),
+  (design, check) =>
+    answers.update((now) => ({ ...now, check, checked: design, designProblem: null, unreachable: false })),
+  (_, error) => {
+    const problem = asProblem(error);
+    answers.update((now) => ({ ...now, designProblem: problem, unreachable: problem === null }));
+  },
+);
+
+let asked: Work | null = null;
+
+function ask(again: boolean): void {
+  const work = bench.get()?.present.work;
+  if (!work) return;
+  const before = again ? null : asked;
+  asked = work;
+  if (!before || !sameQuestion(before, work)) predictions.ask({ work, input: latestInput() });
+  if (!before || !sameDesign(before.design, work.design)) checks.ask(work.design);
+}
+
+/** Start following the bench; called once. */
+export function followBench(): void {
+  bench.subscribe(() => ask(false));
+  reconnections.subscribe(() => ask(true));
+  ask(false);
+}
+
+/** True when the plotted answer is not the answer to what is on the bench. */
+export function isStale(now: Answers, work: Work): boolean {
+  return now.answered === null || !sameQuestion(now.answered, work);
+}
