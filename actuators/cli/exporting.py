@@ -20,7 +20,7 @@ from actuators.errors import QuestionError
 @json_option
 def export(design: str, what: str, folder: str, changes: tuple[str, ...], *, as_json: bool) -> None:
     """Write files of DESIGN (a preset or a JSON file); files of the same name are replaced."""
-    from actuators.export import write
+    from actuators.export import notes, write
 
     chosen = read_design(design, changes)
     kinds = dict.fromkeys(kind.strip() for kind in what.split(","))
@@ -40,9 +40,13 @@ def export(design: str, what: str, folder: str, changes: tuple[str, ...], *, as_
             "Choose another folder.",
             field="to", value=folder, mend="Choose another folder.",
         ) from error  # fmt: skip
+    remarks = [note for kind in kinds for note in notes(chosen, kind)]
     if as_json:
         files = [{"name": name, "what": kind, "bytes": size} for name, kind, size in written]
-        answer({"folder": str(target), "digest": chosen.digest, "files": files})
+        answer({"folder": str(target), "digest": chosen.digest, "files": files,
+                "notes": remarks})  # fmt: skip
         return
     click.echo(table(("file", "what", "bytes"), written))
     click.echo(f"\nin {target}")
+    for remark in remarks:
+        click.echo(f"  {remark}")

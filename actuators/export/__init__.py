@@ -7,6 +7,7 @@ from actuators.design.slab import SlabDesign
 from actuators.errors import QuestionError
 from actuators.export.actuator_stl import actuator_stl
 from actuators.export.mould_svg import mould_svg
+from actuators.fabrication.slab_mould import slab_moulds
 
 
 def _moulds(design: Design) -> dict[str, bytes]:
@@ -44,4 +45,11 @@ def write(design: Design, what: str) -> dict[str, bytes]:
     return _WRITERS[what](design)
 
 
-__all__ = ["KINDS", "available", "write"]
+def notes(design: Design, what: str) -> tuple[str, ...]:
+    """What a maker must know about these files before cutting, as sentences."""
+    if what == "mould-svg" and isinstance(design, SlabDesign):
+        return slab_moulds(design).notes
+    return ()
+
+
+__all__ = ["KINDS", "available", "notes", "write"]

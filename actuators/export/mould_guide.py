@@ -35,6 +35,11 @@ def mould_guide(design: SlabDesign, moulds: SlabMoulds, sheets: Sequence[str]) -
         "4. Take the parts out, turn part B over so that its chambers open downwards,",
         "   and bond it on part A with a thin film of the top material.",
     ]
+    inlet, wall = moulds.bottom_thickness + moulds.chamber_height / 2, design.root_wall * 1e3
+    lines += [
+        f"5. The moulds leave no air inlet: pierce the root wall ({wall:.4g} mm) on the middle",
+        f"   plane, {inlet:.4g} mm above the underside, and glue a tube in.",
+    ]
     if moulds.notes:
         lines += ["", "Mind:", *(f"- {note}" for note in moulds.notes)]
     if design.assumptions():

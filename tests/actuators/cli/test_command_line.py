@@ -234,8 +234,11 @@ def test_export_writes_every_kind_asked_for(tmp_path: Path) -> None:
     assert written == {p.name: p.stat().st_size for p in folder.iterdir()}
     assert "actuator.stl" in written
     assert "mould-4mm.svg" in written
+    assert document["notes"] == []
     text = run("export", "oblique-30", "--what", "actuator-stl", "--to", str(folder)).stdout
     assert "actuator.stl" in text
+    text = run("export", "slab-ellipse-high", "--what", "mould-svg", "--to", str(folder)).stdout
+    assert "channel_width is 0.5 mm" in text, "a maker reads about fragile cores before cutting"
 
 
 def test_export_writes_nothing_when_one_kind_cannot_be_made(tmp_path: Path) -> None:
