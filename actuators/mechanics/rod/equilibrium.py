@@ -5,364 +5,271 @@ X3), each an exact piece of helix:
 
     e_i = e_free,i + C_i S_i,   S = (force along the tangent, moments about X1, X2, X3)
 
-at the piece's middle, from the weight beyond it. Newton's corrections turn the borders between
-pieces: differences of neighbouring moment equations contain only neighbouring turns (the lever arm
-between two middles times the known weight beyond), so that one correction is a block-tridiagonal
-solve, at a cost linear in s. Full steps are halved until the residual falls.
+at the piece's middle, from the weight beyond it. The frames depend on torsion and bending k alone,
+the force on nothing, so the stretch follows from k and the unknowns are the k_i. Newton's
+corrections turn the borders between pieces: differences of neighbouring moment equations contain
+only neighbouring turns (the lever arm between two middles times the known weight beyond), so that
+one correction is a block-tridiagonal solve, at a cost linear in s. Steps are halved until the
+residual falls.
 """
 
 import math
+from typing import NamedTuple
 
 import numba as nb
 import numpy as np
 
-_TOLERANCE = 1e-8  # on turns of the free end [rad]: far below what any plot or test resolves
+from actuators.mechanics.rod.small import (
+    add_cross,
+    add_double_cross,
+    inverse,
+    product,
+    times,
+    turn,
+    turned_back,
+)
+
+_TOLERANCE = 1e-8  # turns of all pieces together [rad]: far below what any plot or test resolves
 _ITERATIONS = 60
 
 
-@nb.njit(cache=True)
-def _turn(w: np.ndarray, rotation: np.ndarray, mean: np.ndarray) -> None:
-    """Rotation by ``w`` and its mean over the way there, series where the angle vanishes."""
-    square = w[0] ** 2 + w[1] ** 2 + w[2] ** 2
-    if square < 1e-4:
-        s = 1 - square / 6 + square**2 / 120
-        c = 0.5 - square / 24 + square**2 / 720
-        v = 1 / 6 - square / 120 + square**2 / 5040
-    else:
-        a = math.sqrt(square)
-        s = math.sin(a) / a
-        c = 2 * math.sin(a / 2) ** 2 / square
-        v = (a - math.sin(a)) / (a * square)
-    for i in range(3):
-        for j in range(3):
-            same = 1.0 if i == j else 0.0
-            cross = 0.0
-            if i != j:
-                k = 3 - i - j
-                cross = -w[k] if (j - i) % 3 == 1 else w[k]
-            twice = w[i] * w[j] - square * same
-            rotation[i, j] = same + s * cross + c * twice
-            mean[i, j] = same + c * cross + v * twice
+class Law(NamedTuple):
+    """Pieces for the compiled code. ``length``: (s,) [m]; ``compliance``: (s, 4, 4); ``bending``:
+    (s, 3, 3), K, inverse of its lower right block; ``lean``: (s, 3) K C_k0, moment per stretch
+    held; ``weight``: (s,) [N]; ``height``: (s,) [m]; ``gravity``: (3,) its direction."""
+
+    length: np.ndarray
+    compliance: np.ndarray
+    bending: np.ndarray
+    lean: np.ndarray
+    weight: np.ndarray
+    height: np.ndarray
+    gravity: np.ndarray
 
 
 @nb.njit(cache=True)
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    c = np.empty(3)
-    c[0] = a[1] * b[2] - a[2] * b[1]
-    c[1] = a[2] * b[0] - a[0] * b[2]
-    c[2] = a[0] * b[1] - a[1] * b[0]
-    return c
-
-
-@nb.njit(cache=True)
-def _skew(a: np.ndarray) -> np.ndarray:
-    m = np.zeros((3, 3))
-    m[0, 1], m[0, 2], m[1, 2] = -a[2], a[1], -a[0]
-    m[1, 0], m[2, 0], m[2, 1] = a[2], -a[1], a[0]
-    return m
-
-
-@nb.njit(cache=True)
-def _double_cross(n: np.ndarray, d: np.ndarray) -> np.ndarray:
-    """Matrix of theta -> (theta x d) x n, which is (theta . n) -> d ... = d n^T - (n . d)."""
-    m = np.empty((3, 3))
-    dot = n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
-    for i in range(3):
-        for j in range(3):
-            m[i, j] = d[i] * n[j]
-        m[i, i] -= dot
-    return m
-
-
-@nb.njit(cache=True)
-def _times(m: np.ndarray, a: np.ndarray) -> np.ndarray:
-    b = np.empty(3)
-    for i in range(3):
-        b[i] = m[i, 0] * a[0] + m[i, 1] * a[1] + m[i, 2] * a[2]
-    return b
-
-
-@nb.njit(cache=True)
-def _product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    c = np.empty((3, 3))
-    for i in range(3):
-        for j in range(3):
-            c[i, j] = a[i, 0] * b[0, j] + a[i, 1] * b[1, j] + a[i, 2] * b[2, j]
-    return c
-
-
-@nb.njit(cache=True)
-def _inverse(m: np.ndarray) -> np.ndarray:
-    c = np.empty((3, 3))
-    for i in range(3):
-        for j in range(3):
-            p, q, u, v = (j + 1) % 3, (j + 2) % 3, (i + 1) % 3, (i + 2) % 3
-            c[i, j] = m[p, u] * m[q, v] - m[p, v] * m[q, u]
-    return c / (m[0, 0] * c[0, 0] + m[0, 1] * c[1, 0] + m[0, 2] * c[2, 0])
-
-
-@nb.njit(cache=True)
-def shape(
-    strain: np.ndarray, length: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Positions (s + 1, 3) and frames (s + 1, 3, 3) of the borders, then those of the middles
-    (s, 3), (s, 3, 3), of a rod with strains (s, 4)."""
+def shape(strain: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Positions (2 s + 1, 3) and frames (2 s + 1, 3, 3) of a rod with strains (s, 4): borders at
+    even places, middles of the pieces between them."""
     s = len(length)
-    x, r = np.zeros((s + 1, 3)), np.zeros((s + 1, 3, 3))
-    xm, rm = np.zeros((s, 3)), np.zeros((s, 3, 3))
-    r[0] = np.eye(3)
+    x, r = np.zeros((2 * s + 1, 3)), np.zeros((2 * s + 1, 3, 3))
     rotation, mean = np.zeros((3, 3)), np.zeros((3, 3))
-    for i in range(s):
-        stretched = (1 + strain[i, 0]) * length[i]
-        _turn(strain[i, 1:] * (length[i] / 2), rotation, mean)
-        rm[i] = _product(r[i], rotation)
-        xm[i] = x[i] + _times(r[i], mean[:, 0]) * (stretched / 2)
-        _turn(strain[i, 1:] * length[i], rotation, mean)
-        r[i + 1] = _product(r[i], rotation)
-        x[i + 1] = x[i] + _times(r[i], mean[:, 0]) * stretched
-    return x, r, xm, rm
-
-
-@nb.njit(cache=True)
-def _loads(
-    strain: np.ndarray,
-    length: np.ndarray,
-    weight: np.ndarray,
-    height: np.ndarray,
-    gravity: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Force beyond each border (s + 1, 3), force and moment at each middle (s, 3), then middles
-    and their frames. ``gravity`` is a direction, ``weight`` (s,) in newtons."""
-    s = len(length)
-    _, _, xm, rm = shape(strain, length)
-    beyond = np.zeros((s + 1, 3))
-    force, moment = np.zeros((s, 3)), np.zeros((s, 3))
-    about = np.zeros(3)  # moment about the origin of the weight beyond
-    for i in range(s - 1, -1, -1):
-        own = weight[i] * gravity
-        up = height[i] * rm[i, :, 2]
-        quarter = rm[i, :, 0] * (length[i] * (1 + strain[i, 0]) / 4)
-        far = xm[i] + quarter + up
-        force[i] = beyond[i + 1] + own / 2
-        moment[i] = about + _cross(far, own / 2) - _cross(xm[i], force[i])
-        beyond[i] = beyond[i + 1] + own
-        about = about + _cross(xm[i] + up, own)
-    return beyond, force, moment, xm, rm
+    w = np.zeros(3)
+    for a in range(3):
+        r[0, a, a] = 1.0
+    for n in range(2 * s):
+        i = n // 2
+        half = length[i] / 2
+        for a in range(3):
+            w[a] = strain[i, a + 1] * half
+        turn(w, rotation, mean)
+        product(r[n], rotation, r[n + 1])
+        for a in range(3):
+            go = r[n, a, 0] * mean[0, 0] + r[n, a, 1] * mean[1, 0] + r[n, a, 2] * mean[2, 0]
+            x[n + 1, a] = x[n, a] + go * half * (1 + strain[i, 0])
+    return x, r
 
 
 @nb.njit(cache=True)
 def _residual(
-    strain: np.ndarray,
-    free: np.ndarray,
-    compliance: np.ndarray,
-    force: np.ndarray,
-    moment: np.ndarray,
-    rm: np.ndarray,
-    length: np.ndarray,
-    error: np.ndarray,
-) -> float:
-    """Strains short of equilibrium (s, 4) into ``error``; returns the turn they amount to."""
-    total = 0.0
-    resultant = np.zeros(4)
-    for i in range(len(length)):
-        resultant[:] = 0.0
-        for b in range(3):
-            resultant[0] += rm[i, b, 0] * force[i, b]
-            for c in range(3):
-                resultant[c + 1] += rm[i, b, c] * moment[i, b]
-        for a in range(4):
-            error[i, a] = strain[i, a] - free[i, a]
-            for b in range(4):
-                error[i, a] -= compliance[i, a, b] * resultant[b]
-        for c in range(1, 4):
-            total += abs(error[i, c]) * length[i]
-    return total
+    strain: np.ndarray, free: np.ndarray, law: Law, inner: np.ndarray, lack: np.ndarray
+) -> tuple[float, np.ndarray, np.ndarray]:
+    """Complete the stretch of ``strain`` (s, 4); put the moments that its torsion and bending
+    hold into ``inner`` (s, 3) and how far they exceed the load's into ``lack`` (s, 3), in the frame
+    of the piece. Returns the turn that the lack amounts to, and the shape."""
+    s = len(law.length)
+    _, r = shape(strain, law.length)
+    beyond = 0.0
+    for i in range(s - 1, -1, -1):
+        middle = r[2 * i + 1]
+        pull = 0.0
+        for a in range(3):
+            pull += middle[a, 0] * law.gravity[a] * (beyond + law.weight[i] / 2)
+        beyond += law.weight[i]
+        strain[i, 0] = free[i, 0] + law.compliance[i, 0, 0] * pull
+        for a in range(3):
+            inner[i, a] = 0.0
+            for b in range(3):
+                held = strain[i, b + 1] - free[i, b + 1] - law.compliance[i, b + 1, 0] * pull
+                inner[i, a] += law.bending[i, a, b] * held
+        for a in range(3):
+            strain[i, 0] += law.compliance[i, 0, a + 1] * inner[i, a]
+    x, r = shape(strain, law.length)
+    about, far, moment, local = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
+    force, total = np.zeros(3), 0.0
+    beyond = 0.0
+    for i in range(s - 1, -1, -1):
+        xm, rm = x[2 * i + 1], r[2 * i + 1]
+        quarter = law.length[i] * (1 + strain[i, 0]) / 4
+        for a in range(3):
+            far[a] = xm[a] + quarter * rm[a, 0] + law.height[i] * rm[a, 2]
+            force[a] = (beyond + law.weight[i] / 2) * law.gravity[a]
+            moment[a] = about[a]
+        add_cross(far, law.gravity, law.weight[i] / 2, moment)
+        add_cross(xm, force, -1.0, moment)
+        turned_back(rm, moment, local)
+        for a in range(3):
+            far[a] -= quarter * rm[a, 0]
+        add_cross(far, law.gravity, law.weight[i], about)
+        beyond += law.weight[i]
+        for a in range(3):
+            lack[i, a] = inner[i, a] - local[a]
+        for a in range(3):
+            wrong = 0.0
+            for b in range(3):
+                wrong += law.compliance[i, a + 1, b + 1] * lack[i, b]
+            total += abs(wrong) * law.length[i]
+    return total, x, r
 
 
 @nb.njit(cache=True)
-def _tangent(
-    strain: np.ndarray,
-    free: np.ndarray,
-    compliance: np.ndarray,
-    bending: np.ndarray,
-    force: np.ndarray,
-    rm: np.ndarray,
-    length: np.ndarray,
-    near: np.ndarray,
-    far: np.ndarray,
-) -> None:
-    """Change of each piece's inner moment with the turns of its near and far border (s, 3, 3)."""
-    local, lean = np.zeros(3), np.zeros(3)
-    turned, stiff = np.zeros((3, 3)), np.zeros((3, 3))
-    for i in range(len(length)):
-        r, k = rm[i], bending[i]
-        axial = r[0, 0] * force[i, 0] + r[1, 0] * force[i, 1] + r[2, 0] * force[i, 2]
-        for a in range(3):
-            local[a] = 0.0
-            lean[a] = 0.0
-            for b in range(3):
-                offset = compliance[i, b + 1, 0]
-                local[a] += k[a, b] * (strain[i, b + 1] - free[i, b + 1] - offset * axial)
-                lean[a] += k[a, b] * offset
-                turned[a, b] = r[a, 0] * k[0, b] + r[a, 1] * k[1, b] + r[a, 2] * k[2, b]
-        swing = _skew(_times(r, local))
-        lean_global = _times(r, lean)
-        arm = _cross(r[:, 0], force[i])
+def _blocks(
+    inner: np.ndarray, law: Law, x: np.ndarray, r: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Lower, diagonal and upper blocks (s, 3, 3) of the differenced moment equations in the turns
+    of the borders; row i is piece i's equation minus the next piece's."""
+    s = len(law.length)
+    lower, diagonal, upper = np.zeros((s, 3, 3)), np.zeros((s, 3, 3)), np.zeros((s, 3, 3))
+    turned, swing, drop = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros((3, 3))
+    held, lean, arm, lever = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
+    beyond = 0.0
+    for i in range(s - 1, -1, -1):
+        rm = r[2 * i + 1]
+        product(rm, law.bending[i], turned)
+        times(rm, inner[i], held)
+        times(rm, law.lean[i], lean)
+        arm[:] = 0.0
+        add_cross(rm[:, 0], law.gravity, beyond + law.weight[i] / 2, arm)
+        swing[0, 1], swing[0, 2], swing[1, 2] = -held[2], held[1], -held[0]
+        swing[1, 0], swing[2, 0], swing[2, 1] = held[2], -held[1], held[0]
+        drop[:, :] = 0.0
+        add_double_cross(law.gravity, rm[:, 2], law.weight[i] * law.height[i] / 4, drop)
+        if i + 1 < s:
+            for a in range(3):
+                lever[a] = x[2 * i + 3, a] - x[2 * i + 1, a]
+            add_double_cross(law.gravity, lever, -beyond, diagonal[i])
         for a in range(3):
             for b in range(3):
-                stiff[a, b] = (
-                    turned[a, 0] * r[b, 0] + turned[a, 1] * r[b, 1] + turned[a, 2] * r[b, 2]
-                ) / length[i]
-                half = (swing[a, b] + lean_global[a] * arm[b]) / 2
-                far[i, a, b] = stiff[a, b] - half
-                near[i, a, b] = -stiff[a, b] - half
+                stiff = (
+                    turned[a, 0] * rm[b, 0] + turned[a, 1] * rm[b, 1] + turned[a, 2] * rm[b, 2]
+                ) / law.length[i]
+                half = (swing[a, b] + lean[a] * arm[b]) / 2
+                pull = arm[a] * lean[b] / 2  # a longer piece is a longer lever
+                lower[i, a, b] = -stiff - half - drop[a, b] + pull
+                diagonal[i, a, b] += stiff - half - drop[a, b] - pull
+                if i > 0:
+                    diagonal[i - 1, a, b] -= -stiff - half + drop[a, b] - pull
+                    upper[i - 1, a, b] = -(stiff - half + drop[a, b] + pull)
+        beyond += law.weight[i]
+    return lower, diagonal, upper
 
 
 @nb.njit(cache=True)
 def _correction(
-    error: np.ndarray,
-    bending: np.ndarray,
-    near: np.ndarray,
-    far: np.ndarray,
-    beyond: np.ndarray,
-    weight: np.ndarray,
-    height: np.ndarray,
-    gravity: np.ndarray,
-    xm: np.ndarray,
-    rm: np.ndarray,
-    length: np.ndarray,
+    inner: np.ndarray, lack: np.ndarray, law: Law, x: np.ndarray, r: np.ndarray
 ) -> np.ndarray:
-    """Newton correction (s, 3) of torsion and bendings; ``bending`` (s, 3, 3) is the stiffness
-    against them at constant axial force."""
-    s = len(length)
-    lack = np.zeros((s, 3))
-    drop = np.zeros((s, 3, 3))  # moment of a piece's weight at its height, per turn, halved twice
+    """Newton correction (s, 3) of torsion and bending: block Thomas over the borders' turns."""
+    s = len(law.length)
+    lower, diagonal, upper = _blocks(inner, law, x, r)
+    right, turns, change = np.zeros((s, 3)), np.zeros((s + 1, 3)), np.zeros((s, 3))
+    inverted, factor, matrix = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros((3, 3))
+    v, w = np.zeros(3), np.zeros(3)
     for i in range(s):
-        lack[i] = _times(rm[i], _times(bending[i], error[i, 1:]))
-        drop[i] = _double_cross(gravity, rm[i, :, 2]) * (weight[i] * height[i] / 4)
-    # block Thomas over the turns of the borders 1..s
-    inverse, upper, right = np.zeros((s, 3, 3)), np.zeros((s, 3, 3)), np.zeros((s, 3))
-    for i in range(s):
-        block, load = far[i] - drop[i], -lack[i]
-        if i + 1 < s:
-            lever = xm[i + 1] - xm[i]
-            block -= near[i + 1] + drop[i + 1] + _double_cross(beyond[i + 1], lever)
-            load = load + lack[i + 1]
-            upper[i] = -far[i + 1] - drop[i + 1]
-        if i > 0:
-            eliminate = _product(near[i] - drop[i], inverse[i - 1])
-            block -= _product(eliminate, upper[i - 1])
-            load = load - _times(eliminate, right[i - 1])
-        inverse[i], right[i] = _inverse(block), load
-    turns = np.zeros((s + 1, 3))
+        times(r[2 * i + 1], lack[i], v)
+        for a in range(3):
+            right[i, a] -= v[a]
+            if i > 0:
+                right[i - 1, a] += v[a]
+    for i in range(1, s):
+        inverse(diagonal[i - 1], inverted)
+        product(lower[i], inverted, factor)
+        product(factor, upper[i - 1], matrix)
+        times(factor, right[i - 1], v)
+        for a in range(3):
+            right[i, a] -= v[a]
+            for b in range(3):
+                diagonal[i, a, b] -= matrix[a, b]
     for i in range(s - 1, -1, -1):
-        load = right[i].copy()
+        inverse(diagonal[i], inverted)
+        w[:] = right[i]
         if i + 1 < s:
-            load -= _times(upper[i], turns[i + 2])
-        turns[i + 1] = _times(inverse[i], load)
-    change = np.zeros((s, 3))
+            times(upper[i], turns[i + 2], v)
+            for a in range(3):
+                w[a] -= v[a]
+        times(inverted, w, turns[i + 1])
     for i in range(s):
         for a in range(3):
-            for b in range(3):
-                change[i, a] += rm[i, b, a] * (turns[i + 1, b] - turns[i, b]) / length[i]
+            v[a] = (turns[i + 1, a] - turns[i, a]) / law.length[i]
+        turned_back(r[2 * i + 1], v, change[i])
     return change
 
 
 @nb.njit(cache=True)
-def balance(
-    start: np.ndarray,
-    free: np.ndarray,
-    compliance: np.ndarray,
-    bending: np.ndarray,
-    length: np.ndarray,
-    weight: np.ndarray,
-    height: np.ndarray,
-    gravity: np.ndarray,
-) -> tuple[np.ndarray, int, bool]:
-    """Strains (s, 4) in equilibrium near ``start``, iterations, and whether they were found."""
-    strain = start.copy()
-    error, trial_error = np.zeros_like(strain), np.zeros_like(strain)
-    near, far = np.zeros((len(length), 3, 3)), np.zeros((len(length), 3, 3))
-    beyond, force, moment, xm, rm = _loads(strain, length, weight, height, gravity)
-    lack = _residual(strain, free, compliance, force, moment, rm, length, error)
+def _balance(strain: np.ndarray, free: np.ndarray, law: Law) -> tuple[int, bool]:
+    """Bring ``strain`` (s, 4) into equilibrium. Returns iterations, and whether it was found."""
+    s = len(law.length)
+    inner, lack, trial = np.zeros((s, 3)), np.zeros((s, 3)), np.zeros((s, 4))
+    error, x, r = _residual(strain, free, law, inner, lack)
     for iteration in range(_ITERATIONS):
-        if lack < _TOLERANCE:
-            return strain, iteration, True
-        _tangent(strain, free, compliance, bending, force, rm, length, near, far)
-        change = _correction(
-            error, bending, near, far, beyond, weight, height, gravity, xm, rm, length
-        )
-        step, found = 1.0, math.inf
-        trial = strain
-        while step > 1e-3 and not found < (1 - step / 4) * lack:
-            trial = strain.copy()
-            trial[:, 1:] += step * change
-            trial[:, 0] -= step * error[:, 0]
-            beyond, force, moment, xm, rm = _loads(trial, length, weight, height, gravity)
-            found = _residual(trial, free, compliance, force, moment, rm, length, trial_error)
+        if error < _TOLERANCE:
+            return iteration, True
+        change = _correction(inner, lack, law, x, r)
+        step, found = 2.0, math.inf
+        while step > 1e-3 and not found < (1 - step / 4) * error:
             step /= 2
-        if not found < lack:
-            return strain, iteration, lack < 1e3 * _TOLERANCE
-        strain, lack = trial, found
-        error[:] = trial_error
-    return strain, _ITERATIONS, False
+            for i in range(s):
+                for a in range(3):
+                    trial[i, a + 1] = strain[i, a + 1] + step * change[i, a]
+            found, x, r = _residual(trial, free, law, inner, lack)
+        if not found < error:
+            return iteration, False
+        strain[:, :] = trial
+        error = found
+    return _ITERATIONS, False
 
 
 @nb.njit(cache=True)
 def follow(
-    pressures: np.ndarray,
-    per_pressure: np.ndarray,
-    compliance: np.ndarray,
-    bending: np.ndarray,
-    length: np.ndarray,
-    weight: np.ndarray,
-    height: np.ndarray,
-    gravity: np.ndarray,
+    pressures: np.ndarray, per_pressure: np.ndarray, law: Law
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int, int]:
-    """Equilibria over ``pressures`` (k,), each begun from the last; the first from the weightless
-    rod, weight put on in up to 64 parts. Returns strains (k, s, 4), positions (k, s + 1, 3), frames
-    (k, s + 1, 3, 3), how many of the k were found, and Newton iterations."""
-    k, s = len(pressures), len(length)
+    """Equilibria over ``pressures`` (k,) of a rod with free strains ``per_pressure`` (s, 4), each
+    begun from the last, the first from the weightless rod; where that fails, the weight is put on
+    in parts. Returns strains (k, s, 4), positions (k, s + 1, 3), frames (k, s + 1, 3, 3), how many
+    of the k were found, and Newton iterations."""
+    k, s = len(pressures), len(law.length)
     strains = np.zeros((k, s, 4))
     positions, frames = np.zeros((k, s + 1, 3)), np.zeros((k, s + 1, 3, 3))
-    sag, before = np.zeros((s, 4)), np.zeros((s, 4))
+    free, sag, before = np.zeros((s, 4)), np.zeros((s, 4)), np.zeros((s, 4))
     total = 0
     for n in range(k):
-        free = pressures[n] * per_pressure
-        strain, count, found = balance(
-            free + (2 * sag - before if n > 1 else sag),
-            free,
-            compliance,
-            bending,
-            length,
-            weight,
-            height,
-            gravity,
-        )
+        for i in range(s):
+            for a in range(4):
+                free[i, a] = pressures[n] * per_pressure[i, a]
+                ahead = 2 * sag[i, a] - before[i, a] if n > 1 else sag[i, a]
+                strains[n, i, a] = free[i, a] + ahead
+        count, found = _balance(strains[n], free, law)
         total += count
         parts = 4
         while not found and parts <= 64:
-            strain, found = free.copy(), True
-            for part in range(1, parts + 1):
-                strain, count, found = balance(
-                    strain,
-                    free,
-                    compliance,
-                    bending,
-                    length,
-                    weight * (part / parts),
-                    height,
-                    gravity,
-                )
+            strains[n] = free
+            part, found = 0, True
+            while found and part < parts:
+                part += 1
+                lighter = Law(
+                    law.length, law.compliance, law.bending, law.lean, law.weight * (part / parts),
+                    law.height, law.gravity,
+                )  # fmt: skip
+                count, found = _balance(strains[n], free, lighter)
                 total += count
-                if not found:
-                    break
             parts *= 4
         if not found:
             return strains, positions, frames, n, total
-        before = sag
-        sag = strain - free
-        strains[n] = strain
-        x, r, _, _ = shape(strain, length)
-        positions[n], frames[n] = x, r
+        x, r = shape(strains[n], law.length)
+        for i in range(s):
+            for a in range(4):
+                before[i, a] = sag[i, a]
+                sag[i, a] = strains[n, i, a] - free[i, a]
+        for i in range(s + 1):
+            positions[n, i] = x[2 * i]
+            frames[n, i] = r[2 * i]
     return strains, positions, frames, k, total

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.mechanics.rod.equilibrium import follow, shape
+from actuators.mechanics.rod.equilibrium import Law, follow, shape
 from actuators.mechanics.rod.pieces import Rod
 
 
@@ -29,10 +29,14 @@ def follow_pressures(
     pull = np.zeros(3) if gravity is None else np.array(gravity, dtype=float)
     size = float(np.linalg.norm(pull))
     direction = pull / size if size > 0 else np.array([0.0, 0.0, -1.0])
+    compliance = rod.compliance
+    lean = np.einsum("sab,sb->sa", rod.bending, compliance[:, 1:, 0])
+    law = Law(
+        rod.length, compliance, rod.bending, lean, rod.mass * size, rod.mass_height, direction
+    )
     strains, positions, frames, found, iterations = follow(
-        np.ascontiguousarray(pressures, dtype=float), rod.free, rod.compliance, rod.bending,
-        rod.length, rod.mass * size, rod.mass_height, direction,
-    )  # fmt: skip
+        np.ascontiguousarray(pressures, dtype=float), rod.free, law
+    )
     return RodPath(strains[:found], positions[:found], frames[:found], iterations)
 
 
@@ -47,4 +51,5 @@ def end_turn(frames: np.ndarray) -> np.ndarray:
 def weightless(strains: np.ndarray, length: np.ndarray) -> RodPath:
     """Shapes with given strains (k, s, 4) on pieces of ``length`` (s,) [m]."""
     shapes = [shape(e, length) for e in strains]
-    return RodPath(strains, np.array([s[0] for s in shapes]), np.array([s[1] for s in shapes]), 0)
+    positions = np.array([x[::2] for x, _ in shapes])
+    return RodPath(strains, positions, np.array([r[::2] for _, r in shapes]), 0)
