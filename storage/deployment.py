@@ -2,7 +2,7 @@
 
 PNEUSTUDIO_DATA is the folder of an embedded studio; PNEUSTUDIO_DATABASE (SQLAlchemy address) and
 PNEUSTUDIO_BROKER (Celery address, ``redis://...`` or ``filesystem:///folder``) default to places
-inside it.
+inside it. PNEUSTUDIO_QUEUE names the queue, for studios that share one Redis.
 """
 
 import os
@@ -62,7 +62,7 @@ def celery_settings(broker: str) -> dict[str, Any]:
     """
     settings: dict[str, Any] = {
         "broker_url": broker,
-        "task_default_queue": QUEUE,
+        "task_default_queue": os.environ.get("PNEUSTUDIO_QUEUE") or QUEUE,
         "task_ignore_result": True,
         "task_serializer": "json",
         "accept_content": ["json"],

@@ -1,0 +1,150 @@
+"""One command: starts everything, ends everything, whatever happens to it."""
+
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Generator
+from pathlib import Path
+
+import pytest
+
+from backend.supervisor.child import Child, ChildGaveUpError
+from storage import open_store
+from tests.worker.processes import ROOT, processes_of
+
+
+class Run:
+    """A supervisor on a data folder, and what it printed."""
+
+    def __init__(self, data: Path, *options: str) -> None:
+        self.data = data
+        self.output = data.parent / f"{data.name}.out"
+        clean = {k: v for k, v in os.environ.items() if not k.startswith("PNEUSTUDIO_")}
+        with self.output.open("w") as out:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "backend.supervisor", "--data", str(data), *options],
+                stdout=out, stderr=out, cwd=ROOT, env=clean,
+            )  # fmt: skip
+
+    def said(self) -> str:
+        return self.output.read_text()
+
+    def address(self) -> str:
+        """Of the page, once it answers."""
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline:
+            found = re.search(r"ready: (http://\S+)", self.said())
+            if found:
+                return found[1]
+            assert self.process.poll() is None, self.said()
+            time.sleep(0.05)
+        raise TimeoutError(self.said())
+
+
+@pytest.fixture
+def data(tmp_path: Path) -> Generator[Path]:
+    folder = tmp_path / "studio"
+    yield folder
+    for line in processes_of(folder):
+        os.kill(int(line.split()[0]), signal.SIGKILL)
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def wait_until_gone(data: Path, timeout_s: float) -> None:
+    deadline = time.monotonic() + timeout_s
+    while processes_of(data) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert processes_of(data) == []
+
+
+def health(address: str) -> dict[str, object]:
+    with urllib.request.urlopen(f"{address}/api/health", timeout=5) as reply:
+        return json.load(reply)
+
+
+def test_it_starts_serves_refuses_a_second_and_leaves_nothing_behind(data: Path) -> None:
+    port = free_port()
+    with socket.create_server(("127.0.0.1", port)):
+        run = Run(data, "--port", str(port))
+        address = run.address()
+        assert address != f"http://127.0.0.1:{port}"
+        assert f"Port {port} is taken" in run.said()
+        assert health(address)["status"] == "ok"
+        assert len(processes_of(data)) >= 5  # two guards, web, worker and its child
+
+        second = Run(data)
+        assert second.process.wait(20) == 1
+        assert f"already runs on {data} at {address}" in second.said()
+
+        run.process.send_signal(signal.SIGINT)
+        assert run.process.wait(15) == 0
+    assert processes_of(data) == []
+    assert "Stopped." in run.said()
+
+
+def test_killing_the_supervisor_leaves_no_process_and_the_folder_free(data: Path) -> None:
+    run = Run(data, "--port", "0")
+    run.address()
+    run.process.kill()
+    again = Run(data, "--port", "0")  # waits for the first one's guards
+    assert health(again.address())["status"] == "ok"
+    again.process.send_signal(signal.SIGTERM)
+    assert again.process.wait(15) == 0
+    wait_until_gone(data, 1)
+
+
+def test_a_killed_worker_and_a_killed_web_process_come_back(data: Path) -> None:
+    run = Run(data, "--port", "0")
+    address = run.address()
+    victims = [line for line in processes_of(data) if "guard.py" not in line]
+    for line in victims:
+        os.kill(int(line.split()[0]), signal.SIGKILL)
+    deadline = time.monotonic() + 60
+    while not {"web ended", "worker-1 ended"} <= set(re.findall(r"\S+ ended", run.said())):
+        assert time.monotonic() < deadline, run.said()
+        time.sleep(0.05)
+    store = open_store(f"sqlite:///{data / 'pneustudio.sqlite'}")
+    slab = {"family": "slab"}
+    _, version = store.create_design("Finger", "ada", slab, {"pressure_kPa": {"to": 20}}, "")
+    job = store.submit(version.id, {"pressure_kPa": {"to": 20}}, "energy", 0.05, "ada")
+    while store.get_job(job.id).state != "done":
+        assert time.monotonic() < deadline, store.get_job(job.id)
+        time.sleep(0.05)
+    store.close()
+    assert health(address)["status"] == "ok"
+    run.process.send_signal(signal.SIGINT)
+    assert run.process.wait(15) == 0
+    wait_until_gone(data, 0)
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "192.168.1.5", "example.org", "::"])
+def test_it_serves_this_machine_only(tmp_path: Path, host: str) -> None:
+    run = Run(tmp_path / "studio", "--host", host)
+    assert run.process.wait(20) == 1
+    assert "this machine only" in run.said()
+    assert not (tmp_path / "studio").exists()
+
+
+def test_a_child_that_cannot_live_is_given_up_with_the_end_of_its_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("backend.supervisor.child._LONGEST_PAUSE_S", 0.1)
+    ended: list[int] = []
+    command = [sys.executable, "-c", "raise SystemExit('no page')"]
+    child = Child("web", command, {}, tmp_path / "web.log", 1.0, ended=lambda: ended.append(1))
+    with pytest.raises(ChildGaveUpError, match=r"(?s)web ended 6 times.*code 1.*no page"):
+        while True:
+            child.tend()
+            time.sleep(0.01)
+    assert len(ended) == 6
