@@ -12,6 +12,7 @@ from backend.bodies import BodyGuard
 from backend.guards import Guard
 from backend.live.feed import EventFeed
 from backend.settings import Settings, from_environment
+from backend.simulations.instant import warm
 from backend.simulations.queue import TaskQueue
 from backend.viewer import front
 from backend.viewer.rooms import RoomKeeper
@@ -54,6 +55,7 @@ async def _life(app: FastAPI) -> AsyncGenerator[None]:
     tasks = [
         asyncio.create_task(queue.keep_publishing(store)),
         asyncio.create_task(rooms.keep_sweeping()),
+        asyncio.create_task(asyncio.to_thread(warm)),
     ]
     try:
         yield

@@ -1,6 +1,5 @@
 """Every error of the API in one form: what is wrong, with which entry, and how to mend it."""
 
-import logging
 from typing import Any
 
 from fastapi import FastAPI, Request
@@ -11,8 +10,6 @@ from starlette.exceptions import HTTPException
 
 from actuators.errors import InputError
 from storage.errors import NotFoundError
-
-log = logging.getLogger(__name__)
 
 
 class ProblemDetail(BaseModel):
@@ -85,8 +82,7 @@ def install(app: FastAPI) -> None:
         answer.headers.update(error.headers or {})
         return answer
 
-    def on_crash(request: Request, error: Exception) -> JSONResponse:
-        log.error("%s %s failed", request.method, request.url.path, exc_info=error)
+    def on_crash(_: Request, __: Exception) -> JSONResponse:
         return problem(
             500, "The studio failed to answer; nothing was stored.",
             mend="Try again; the server's log holds the reason.",

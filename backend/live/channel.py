@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator
 
+import anyio
 from fastapi import WebSocket, WebSocketDisconnect
 
 from backend.live.feed import EventFeed, Listener
@@ -15,15 +16,13 @@ async def over_websocket(socket: WebSocket, feed: EventFeed, after: int | None) 
     """Serve one socket until it closes."""
     await socket.accept()
     listener = await feed.listen(after)
-    sending = asyncio.create_task(_send(socket, feed, listener))
-    receiving = asyncio.create_task(_drain(socket))
     try:
-        await asyncio.wait([sending, receiving], return_when=asyncio.FIRST_COMPLETED)
+        async with anyio.create_task_group() as group:
+            group.start_soon(_drain, socket, group.cancel_scope)
+            await _send(socket, feed, listener)
+            group.cancel_scope.cancel()
     finally:
         feed.leave(listener)
-        sending.cancel()
-        receiving.cancel()
-        await asyncio.gather(sending, receiving, return_exceptions=True)
 
 
 async def as_server_sent_events(feed: EventFeed, after: int | None) -> AsyncIterator[str]:
@@ -37,9 +36,12 @@ async def as_server_sent_events(feed: EventFeed, after: int | None) -> AsyncIter
 
 
 async def _send(socket: WebSocket, feed: EventFeed, listener: Listener) -> None:
-    async for event in _events(feed, listener):
-        await socket.send_text(event.model_dump_json())
-    await socket.close(1001)
+    try:
+        async for event in _events(feed, listener):
+            await socket.send_text(event.model_dump_json())
+        await socket.close(1001)
+    except (WebSocketDisconnect, RuntimeError):
+        return  # the page closed while an event was on its way
 
 
 async def _events(feed: EventFeed, listener: Listener) -> AsyncIterator[LiveEvent]:
@@ -54,10 +56,12 @@ async def _events(feed: EventFeed, listener: Listener) -> AsyncIterator[LiveEven
         yield event
 
 
-async def _drain(socket: WebSocket) -> None:
+async def _drain(socket: WebSocket, scope: anyio.CancelScope) -> None:
     """Pages say nothing here; reading notices that they close."""
     try:
-        while True:
-            await socket.receive_text()
-    except (WebSocketDisconnect, KeyError):
-        return
+        while (await socket.receive())["type"] != "websocket.disconnect":
+            continue
+    except RuntimeError:
+        pass  # closed from our side meanwhile
+    finally:
+        scope.cancel()

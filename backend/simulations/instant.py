@@ -2,9 +2,8 @@
 
 from typing import Literal
 
+from actuators.design import PRESETS, Design
 from actuators.mechanics.predict import predict
-
-from actuators.design import Design
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
 
@@ -20,3 +19,9 @@ def answer(
 ) -> Response:
     """Response of an instant rung; raises InputError for a question it cannot answer."""
     return predict(design, scene, rung=rung, c=c)
+
+
+def warm() -> None:
+    """Answer one question, so that the first one asked finds compiled kernels in memory."""
+    first = next(iter(PRESETS.values()))
+    answer(first.design, Scene(first.pressure_to))

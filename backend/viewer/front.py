@@ -4,9 +4,9 @@ viser follows `?websocket=` and `?playbackPath=` anywhere and runs scripts from 
 of the page lets none of it leave this origin.
 """
 
-import asyncio
 from functools import cache
 
+import anyio
 import websockets
 from fastapi import APIRouter, Request, WebSocket
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
@@ -91,29 +91,34 @@ async def _socket(socket: WebSocket, view_id: str) -> None:
         return
     async with upstream:
         await socket.accept(subprotocol=SUBPROTOCOL)
-        pumps = [
-            asyncio.create_task(_to_page(upstream, socket)),
-            asyncio.create_task(_to_room(socket, upstream)),
-        ]
-        try:
-            await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            for pump in pumps:
-                pump.cancel()
-            await asyncio.gather(*pumps, return_exceptions=True)
+        async with anyio.create_task_group() as group:
+            group.start_soon(_to_page, upstream, socket, group.cancel_scope)
+            group.start_soon(_to_room, socket, upstream, group.cancel_scope)
     if socket.client_state is WebSocketState.CONNECTED:
         await socket.close(1001)
 
 
-async def _to_page(upstream: websockets.ClientConnection, socket: WebSocket) -> None:
-    async for message in upstream:
-        if isinstance(message, bytes):
-            await socket.send_bytes(message)
-
-
-async def _to_room(socket: WebSocket, upstream: websockets.ClientConnection) -> None:
+async def _to_page(
+    upstream: websockets.ClientConnection, socket: WebSocket, scope: anyio.CancelScope
+) -> None:
     try:
-        while True:
-            await upstream.send(await socket.receive_bytes())
-    except (WebSocketDisconnect, websockets.ConnectionClosed, KeyError):
-        return
+        async for message in upstream:
+            if isinstance(message, bytes):
+                await socket.send_bytes(message)
+    except (WebSocketDisconnect, RuntimeError, websockets.ConnectionClosed):
+        pass  # one side is gone; the other is closed below
+    finally:
+        scope.cancel()
+
+
+async def _to_room(
+    socket: WebSocket, upstream: websockets.ClientConnection, scope: anyio.CancelScope
+) -> None:
+    try:
+        while (message := await socket.receive())["type"] == "websocket.receive":
+            if message.get("bytes") is not None:
+                await upstream.send(message["bytes"])
+    except (RuntimeError, websockets.ConnectionClosed):
+        pass  # one side is gone; the other is closed below
+    finally:
+        scope.cancel()

@@ -14,7 +14,10 @@ from backend.viewer.skin import Skin
 
 _EDGES = (0.05, 0.06, 0.08, 1.0)
 _GHOST_EDGES = (0.35, 0.38, 0.42, 0.55)
-_GHOST_OPACITY = 0.16
+_GHOST_OPACITY = 0.10
+_GHOST_INSET_MM = 0.08
+"""The undeformed body is drawn a little smaller, or its faces would fight with those of a body that
+has hardly moved."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +66,10 @@ def picture(film: Film, colour: Colour, *, undeformed: bool) -> Picture:
         for k in range(len(points))
     ]  # fmt: skip
     undeformed_points = film.ghost.points * 1e3
-    low = np.minimum(points.min(axis=(0, 1)), undeformed_points.min(axis=0))
-    high = np.maximum(points.max(axis=(0, 1)), undeformed_points.max(axis=0))
+    low, high = undeformed_points.min(axis=0), undeformed_points.max(axis=0)
+    for axis in range(3):
+        low[axis] = min(low[axis], points[..., axis].min())
+        high[axis] = max(high[axis], points[..., axis].max())
     root = undeformed_points[undeformed_points[:, 0] < undeformed_points[:, 0].min() + 0.1]
     bodies = Bodies(
         frames=frames,
@@ -100,7 +105,13 @@ def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
 
 def _ghost(body: Skin) -> bytes:
     colours = vertex_colours(PLAIN, np.zeros(len(body.points)), np.zeros_like(body.points))
+    inset = _GHOST_INSET_MM * body.normals(body.points[None])[0]
     return coloured_body(
-        (body.points * 1e3).astype(np.float32), body.triangles, colours, body.edges,
-        factor=palette(PLAIN)[1], edge_colour=_GHOST_EDGES, opacity=_GHOST_OPACITY,
-    )  # fmt: skip
+        (body.points * 1e3 - inset).astype(np.float32),
+        body.triangles,
+        colours,
+        body.edges,
+        factor=palette(PLAIN)[1],
+        edge_colour=_GHOST_EDGES,
+        opacity=_GHOST_OPACITY,
+    )

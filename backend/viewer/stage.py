@@ -91,13 +91,13 @@ class Stage:
         colours = _DARK if self._dark else _LIGHT
         scene = self._server.scene
         scene.add_grid(
-            "/ground", width=2 * reach, height=2 * reach, plane="xy", cell_size=section / 5,
+            "/ground", width=2 * reach, height=2 * reach, plane="xy", cell_size=section / 2,
             section_size=section, cell_color=colours["cell"], section_color=colours["section"],
             position=(0.0, 0.0, floor), shadow_opacity=0.0, fade_distance=6 * reach,
             fade_strength=1.0,
         )  # fmt: skip
         scene.add_label(
-            "/scale", f"{section:g} mm", position=(section, -reach / 2, floor),
+            "/scale", f"grid {section:g} mm", position=(section, -reach / 2, floor),
             font_screen_scale=0.8, anchor="center-center",
         )  # fmt: skip
         (low_y, low_z), (high_y, high_z) = np.array(clamp).reshape(2, 2)
