@@ -1,6 +1,6 @@
 """The database behind the studio: the only room that knows SQLAlchemy."""
 
-from storage.errors import HistoryError, NotFoundError, StoreAway
+from storage.errors import HistoryError, NewerDatabaseError, NotFoundError, StoreAway
 from storage.rows import (
     ClaimedJob,
     DesignRow,
@@ -16,5 +16,5 @@ from storage.store import Store, open_store
 
 __all__ = [
     "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow", "JobState",
-    "NotFoundError", "ResultRow", "Store", "StoreAway", "VersionRow", "WorkerRow", "open_store",
+    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "VersionRow", "WorkerRow", "open_store",
 ]  # fmt: skip

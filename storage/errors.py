@@ -20,3 +20,7 @@ class NotFoundError(InputError):
 
 class HistoryError(InputError):
     """A change that a design's history cannot take."""
+
+
+class NewerDatabaseError(Exception):
+    """The database was written by a newer version of the studio."""

@@ -4,9 +4,12 @@ from importlib.resources import as_file, files
 
 from alembic import command
 from alembic.config import Config
+from alembic.runtime.migration import MigrationContext
+from alembic.script import ScriptDirectory
 
 from storage.claims import Claims
 from storage.designs import Designs
+from storage.errors import NewerDatabaseError
 from storage.workers import Workers
 
 
@@ -18,10 +21,20 @@ class Store(Designs, Claims, Workers):
     """
 
     def migrate(self) -> None:
-        """Bring the tables up to date; several processes may do so at once."""
+        """Bring the tables up to date; several processes may do so at once. Raises
+        NewerDatabaseError for a database that this version does not know."""
         with as_file(files("storage") / "migrations") as scripts, self._write() as connection:
             config = Config(attributes={"connection": connection})
             config.set_main_option("script_location", str(scripts).replace("%", "%%"))
+            known = {
+                script.revision for script in ScriptDirectory.from_config(config).walk_revisions()
+            }
+            there = MigrationContext.configure(connection).get_current_revision()
+            if there is not None and there not in known:
+                raise NewerDatabaseError(
+                    f"{self.url} was written by a newer Pneustudio (its tables are at {there}). "
+                    "Update this installation, or use another database."
+                )
             command.upgrade(config, "head")
 
 

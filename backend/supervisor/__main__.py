@@ -10,6 +10,7 @@ from backend.supervisor.address import PORT, NoAddressError, free_port, loopback
 from backend.supervisor.child import ChildGaveUpError
 from backend.supervisor.folder import DataFolder, FolderInUseError
 from backend.supervisor.studio import Studio
+from storage import NewerDatabaseError
 from storage.deployment import deployment
 
 
@@ -30,7 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )  # fmt: skip
         _say(f"Starting; data in {places.data}")
         studio.run()
-    except (NoAddressError, FolderInUseError, ChildGaveUpError) as error:
+    except (NoAddressError, FolderInUseError, ChildGaveUpError, NewerDatabaseError) as error:
         print(f"pneustudio: {error}", file=sys.stderr)
         return 1
     return 0

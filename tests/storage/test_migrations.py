@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
-from sqlalchemy import create_engine
+from sqlalchemy import create_engine, text
 
-from storage import open_store
+from storage import NewerDatabaseError, open_store
 from storage.tables import metadata
 from tests.storage.databases import database
 
@@ -47,6 +47,20 @@ def test_several_processes_may_migrate_at_once(kind: str, tmp_path: Path) -> Non
         for thread in threads:
             thread.join()
         assert errors == []
+
+
+@pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
+def test_a_database_of_a_newer_version_is_left_alone(kind: str, tmp_path: Path) -> None:
+    with database(kind, tmp_path) as url:
+        store = open_store(url)
+        store.migrate()
+        engine = create_engine(store.url)
+        with engine.begin() as connection:
+            connection.execute(text("UPDATE alembic_version SET version_num = '9999'"))
+        engine.dispose()
+        with pytest.raises(NewerDatabaseError, match="newer Pneustudio"):
+            store.migrate()
+        store.close()
 
 
 def test_a_database_that_processes_cannot_share_is_refused() -> None:

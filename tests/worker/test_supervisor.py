@@ -143,8 +143,12 @@ def test_a_child_that_cannot_live_is_given_up_with_the_end_of_its_log(
     ended: list[int] = []
     command = [sys.executable, "-c", "raise SystemExit('no page')"]
     child = Child("web", command, {}, tmp_path / "web.log", 1.0, ended=lambda: ended.append(1))
-    with pytest.raises(ChildGaveUpError, match=r"(?s)web ended 6 times.*code 1.*no page"):
+
+    def tend_for_ever() -> None:
         while True:
             child.tend()
             time.sleep(0.01)
+
+    with pytest.raises(ChildGaveUpError, match=r"(?s)web ended 6 times.*code 1.*no page"):
+        tend_for_ever()
     assert len(ended) == 6
