@@ -11,10 +11,11 @@ from storage.rows import (
     ResultRow,
     VersionRow,
     WorkerRow,
-)  # fmt: skip
+)
 from storage.store import Store, open_store
 
 __all__ = [
     "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow", "JobState",
-    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "VersionRow", "WorkerRow", "open_store",
+    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "VersionRow",
+    "WorkerRow", "open_store",
 ]  # fmt: skip
