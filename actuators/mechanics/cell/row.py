@@ -11,7 +11,7 @@ from actuators.mechanics.cell.cache import cell_response
 
 WIDTHS = 4
 """Cells solved for a tapered slab; the widths between them are interpolated by a cubic, which a
-test finds within 0.1 % of a cell of their own."""
+test finds within 0.5 % of a cell of their own (0.24 % measured at the narrow end of a triangle)."""
 
 
 @dataclass(frozen=True, eq=False)
