@@ -42,7 +42,8 @@ $(STAMPS)/page: $(STAMPS)/node-modules openapi.json $(PAGE_SOURCES)
 
 KERNEL_SOURCES := $(shell find actuators -name '*.py')
 $(STAMPS)/kernels: $(STAMPS)/python $(KERNEL_SOURCES)
-	@echo "Compiling the finite-element kernels (once)"
+	@echo "Compiling the rod and the finite-element kernels (once)"
+	$(PY) -m actuators.mechanics.rod.warm
 	$(PY) -m actuators.mechanics.continuum.warm
 	@touch $@
 
