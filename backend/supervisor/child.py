@@ -84,17 +84,12 @@ class Child:
         self.say(f"{self.name} ended with code {code}; starting it again (log: {self.log})")
 
     def ask_to_end(self) -> None:
-        """Begin an orderly end: the guard sees its lifeline close."""
-        if self._lifeline is not None:
-            os.close(self._lifeline)
-            self._lifeline = None
+        """Begin an orderly end."""
+        self._order(b"e")
 
     def kill(self) -> None:
-        """End at once."""
-        if self._lifeline is not None:
-            with suppress(BrokenPipeError):
-                os.write(self._lifeline, b"k")
-            self.ask_to_end()
+        """End at once, also in the middle of an orderly end."""
+        self._order(b"k")
 
     def wait(self, timeout_s: float) -> bool:
         """Whether it has ended within the time."""
@@ -107,9 +102,16 @@ class Child:
         self._forget()
         return True
 
+    def _order(self, order: bytes) -> None:
+        if self._lifeline is not None:
+            with suppress(BrokenPipeError):  # the guard has just ended by itself
+                os.write(self._lifeline, order)
+
     def _forget(self) -> None:
         self._guard = None
-        self.ask_to_end()
+        if self._lifeline is not None:
+            os.close(self._lifeline)
+            self._lifeline = None
 
     def _tail(self) -> str:
         with self.log.open("rb") as log:

@@ -1,10 +1,10 @@
 """Stands between the supervisor and one child, so that neither can leave the other's processes.
 
 Run by path, with the standard library alone: ``guard.py LIFELINE GRACE NICE COMMAND...``. LIFELINE
-is the reading end of a pipe whose writing end only the supervisor holds. When it closes, for
-whatever reason, the command gets SIGTERM, GRACE seconds, then SIGKILL together with everything it
-started; a byte on it means SIGKILL at once. When the command ends by itself, what it started is
-killed before the guard ends with the same code.
+is the reading end of a pipe whose writing end only the supervisor holds. When an "e" comes, or the
+pipe closes for whatever reason, the command gets SIGTERM, GRACE seconds, then SIGKILL together with
+everything it started; a "k" means SIGKILL at once. When the command ends by itself, what it started
+is killed before the guard ends with the same code.
 """
 
 import os
@@ -41,11 +41,14 @@ def main(arguments: Sequence[str]) -> int:
 
 def _end(command: subprocess.Popen[bytes], lifeline: int, grace_s: float) -> None:
     deadline = time.monotonic() + grace_s
-    at_once = bool(os.read(lifeline, 1))
+    order = os.read(lifeline, 1)
     with suppress(ProcessLookupError):
         os.kill(command.pid, signal.SIGTERM)
-    while not at_once and command.poll() is None and time.monotonic() < deadline:
-        time.sleep(_POLL_S / 2)
+    while order != b"k" and command.poll() is None and time.monotonic() < deadline:
+        if order == b"":  # the supervisor is gone, no further order can come
+            time.sleep(_POLL_S)
+        elif _readable(lifeline, _POLL_S):
+            order = os.read(lifeline, 1)
 
 
 def _readable(descriptor: int, timeout_s: float) -> bool:
