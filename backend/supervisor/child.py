@@ -79,7 +79,7 @@ class Child:
                 f"{self.name} ended {len(self._endings)} times, last with code {code}. "
                 f"The end of {self.log}:\n{self._tail()}"
             )
-        pause = min(_FIRST_PAUSE_S * 2 ** (2 * len(self._endings) - 2), _LONGEST_PAUSE_S)
+        pause = min(_FIRST_PAUSE_S * 2 ** (len(self._endings) - 1), _LONGEST_PAUSE_S)
         self._start_at = now + pause
         self.say(f"{self.name} ended with code {code}; starting it again (log: {self.log})")
 
