@@ -3,14 +3,11 @@
 export class Lane<Question, Answer> {
   private waiting: { question: Question } | null = null;
   private busy = false;
-  private lastSent = -Infinity;
 
   constructor(
     private readonly send: (question: Question) => Promise<Answer>,
     private readonly onAnswer: (question: Question, answer: Answer) => void,
     private readonly onError: (question: Question, error: unknown) => void,
-    /** Shortest time between two questions [ms]. */
-    private readonly interval = 0,
   ) {}
 
   ask(question: Question): void {
@@ -26,11 +23,8 @@ export class Lane<Question, Answer> {
   private async drain(): Promise<void> {
     this.busy = true;
     while (this.waiting) {
-      const pause = this.lastSent + this.interval - performance.now();
-      if (pause > 0) await new Promise((resolve) => window.setTimeout(resolve, pause));
       const { question } = this.waiting;
       this.waiting = null;
-      this.lastSent = performance.now();
       try {
         const answer = await this.send(question);
         this.onAnswer(question, answer);

@@ -5,14 +5,14 @@ import "uplot/dist/uPlot.min.css";
 import { useTheme } from "../theme/theme";
 import { useSize } from "../ui/useSize";
 import type { Curve } from "./curve";
-import { drawCurves, drawMarker } from "./draw";
-import { axesOf } from "./axes";
+import { axesOf, drawAxisTitle, SPACE } from "./axes";
+import { drawClamp, drawCurves, drawMarker } from "./draw";
 import { equalRanges, freeRanges } from "./scales";
 
 export interface CurveChartProps {
   curves: readonly Curve[];
-  xLabel: string;
-  yLabel: string;
+  /** Title of the axis to the right, with its unit; the upward axis is named by the heading. */
+  xTitle: string;
   /** One unit is as long on both axes. */
   equal?: boolean;
   /** Pressure marked on every curve [kPa]. */
@@ -32,7 +32,7 @@ export function CurveChart(props: CurveChartProps) {
   const plot = useRef<uPlot | null>(null);
   const latest = useRef(props);
   const { theme } = useTheme();
-  const { xLabel, yLabel, curves, marked } = props;
+  const { xTitle, curves, marked } = props;
   const ready = size.width > 20 && size.height > 20;
 
   useLayoutEffect(() => {
@@ -41,13 +41,13 @@ export function CurveChart(props: CurveChartProps) {
 
   useLayoutEffect(() => {
     if (!ready || !host.current) return;
-    const made = create(host.current, () => latest.current, xLabel, yLabel);
+    const made = create(host.current, () => latest.current, xTitle);
     plot.current = made;
     return () => {
       plot.current = null;
       made.destroy();
     };
-  }, [ready, theme, xLabel, yLabel]);
+  }, [ready, theme, xTitle]);
 
   useLayoutEffect(() => {
     plot.current?.setSize({ width: size.width, height: size.height });
@@ -71,16 +71,11 @@ export function CurveChart(props: CurveChartProps) {
 
 const EMPTY = [null, [[], []]] as unknown as uPlot.AlignedData;
 
-function create(
-  host: HTMLElement,
-  props: () => CurveChartProps,
-  xLabel: string,
-  yLabel: string,
-): uPlot {
+function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string): uPlot {
   const ranges = (u: uPlot) => {
     const { curves, equal } = props();
-    const ratio = window.devicePixelRatio;
-    return equal ? equalRanges(curves, u.bbox.width / ratio, u.bbox.height / ratio) : freeRanges(curves);
+    if (!equal) return freeRanges(curves);
+    return equalRanges(curves, u.width - SPACE.left - SPACE.right, u.height - SPACE.top - SPACE.bottom);
   };
   const plot = new uPlot(
     {
@@ -89,7 +84,7 @@ function create(
       mode: 2,
       width: Math.max(40, host.clientWidth),
       height: Math.max(40, host.clientHeight),
-      padding: [8, 10, 0, 0],
+      padding: [SPACE.top, SPACE.right, 0, 0],
       legend: { show: false },
       cursor: { show: false },
       scales: {
@@ -97,13 +92,15 @@ function create(
         y: { range: (u) => ranges(u).y },
       },
       series: [{}, { paths: () => null, points: { show: false } }] as uPlot.Series[],
-      axes: axesOf(xLabel, yLabel),
+      axes: axesOf(xTitle),
       hooks: {
         draw: [
           (u) => {
-            const { curves, marked, onDrawn } = props();
+            const { curves, marked, onDrawn, equal } = props();
+            drawAxisTitle(u, xTitle);
+            if (equal) drawClamp(u);
             drawCurves(u, curves);
-            if (marked !== null) drawMarker(u, curves, marked, !props().equal);
+            if (marked !== null) drawMarker(u, curves, marked, !equal);
             onDrawn?.();
           },
         ],

@@ -62,6 +62,27 @@ export function drawCurves(u: uPlot, curves: readonly Curve[]): void {
   });
 }
 
+/** Where the actuator is held, at the origin of a trajectory. */
+export function drawClamp(u: uPlot): void {
+  clipped(u, (ctx, ratio) => {
+    const x = u.valToPos(0, "x", true);
+    const y = u.valToPos(0, "y", true);
+    ctx.strokeStyle = token("--muted");
+    ctx.lineWidth = 2 * ratio;
+    ctx.beginPath();
+    ctx.moveTo(x, y - 7 * ratio);
+    ctx.lineTo(x, y + 7 * ratio);
+    ctx.stroke();
+    ctx.lineWidth = ratio;
+    ctx.beginPath();
+    for (let offset = -7; offset <= 3; offset += 3.5) {
+      ctx.moveTo(x, y + offset * ratio);
+      ctx.lineTo(x - 4 * ratio, y + (offset + 4) * ratio);
+    }
+    ctx.stroke();
+  });
+}
+
 /** The marked pressure: a point on every curve, and a line where pressure is the x axis. */
 export function drawMarker(u: uPlot, curves: readonly Curve[], pressure: number, upright: boolean): void {
   const place = placer(u);

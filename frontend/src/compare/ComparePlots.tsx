@@ -34,24 +34,22 @@ export function ComparePlots({ comparison }: { comparison: Comparison }) {
           ),
       )}
       <div className="plot-head">
-        <h2>Bending angle</h2>
+        <h2>Bending angle (°)</h2>
         <ChartLegend curves={angle} />
       </div>
       <CurveChart
         curves={angle}
-        xLabel="Pressure (kPa)"
-        yLabel="Bending angle (°)"
+        xTitle="Pressure (kPa)"
         marked={null}
         label="Bending angle of both versions over pressure"
         testId="compare-angle"
       />
       <div className="plot-head">
-        <h2>Tip trajectory</h2>
+        <h2>Tip trajectory, X₃ (mm)</h2>
       </div>
       <CurveChart
         curves={tip}
-        xLabel="X₁ (mm)"
-        yLabel="X₃ (mm)"
+        xTitle="X₁ (mm)"
         equal
         marked={null}
         label="Tip path of both versions"

@@ -19,7 +19,8 @@ export function DimensionMark({ line, place, text, bounds }: DimensionMarkProps)
   const from = place(line.from);
   const to = place(line.to);
   const centre = line.centre ? place(line.centre) : null;
-  const label = placeLabel(from, to, text, bounds);
+  const anchor = line.anchors[0];
+  const label = placeLabel(from, to, text, bounds, anchor ? place(anchor) : null);
   return (
     <g className="dimension" data-kind={line.kind}>
       {line.kind !== "angle" && <Witness line={line} place={place} from={from} to={to} />}

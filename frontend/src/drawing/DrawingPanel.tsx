@@ -10,6 +10,7 @@ import { subscript, symbolParts } from "../ui/symbols";
 import { useSize } from "../ui/useSize";
 import { answers } from "../workbench/answers";
 import { readDesign, spell } from "../workbench/document";
+import { capital } from "../ui/numbers";
 import { DimensionMark } from "./DimensionMark";
 import { clampSpan, layOut, toPixel, type Layout } from "./layout";
 
@@ -58,7 +59,7 @@ function DrawingCanvas({ check, parameter }: { check: DesignCheck; parameter: Pa
                 />
               ))}
               <text className="view-name" x={6} y={placed.top + 11}>
-                {placed.name === "section" ? "X₁X₃" : "X₁X₂"}
+                {placed.name === "section" ? "Section" : "Planform"}
               </text>
             </g>
           ))}
@@ -145,7 +146,7 @@ function Caption({ check, parameter }: { check: DesignCheck | null; parameter: P
       {check?.drawing.regions.map((region) => (
         <li key={region.name}>
           <i className={`swatch ${toneOf(check, region.name)}`} />
-          {catalogue?.find((each) => each.key === region.material)?.name ?? region.name}
+          {capital(region.name)}: {catalogue?.find((each) => each.key === region.material)?.name ?? region.material}
         </li>
       ))}
       <li>

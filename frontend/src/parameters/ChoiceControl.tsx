@@ -2,13 +2,10 @@ import { useQuery } from "@tanstack/react-query";
 
 import { presets } from "../api/queries";
 import type { Parameter } from "../api/types";
+import { capital } from "../ui/numbers";
 import { Segmented } from "../ui/Segmented";
 import { bench, setParameter, setParameters } from "../workbench/workbench";
 import { densityOf, densityValues } from "./density";
-
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
 
 export function ChoiceControl({ parameter, value }: { parameter: Parameter; value: string }) {
   const { data: list = [] } = useQuery(presets);

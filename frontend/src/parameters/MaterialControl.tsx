@@ -5,9 +5,17 @@ import type { Material, Parameter } from "../api/types";
 import { formatQuantity } from "../ui/numbers";
 import { setParameter } from "../workbench/workbench";
 
+const MODELS: Record<string, string> = {
+  linear: "Linear",
+  "neo-hooke": "Neo-Hooke",
+  yeoh: "Yeoh",
+  ogden: "Ogden",
+};
+
 export function materialSummary(material: Material): string {
   const density = formatQuantity(material.density_kg_m3 / 1000);
-  return `${material.model}, E ${formatQuantity(material.youngs_modulus_kPa)} kPa, ${density} g/cm³`;
+  const model = MODELS[material.model.toLowerCase()] ?? material.model;
+  return `${model}, E = ${formatQuantity(material.youngs_modulus_kPa, 4)} kPa, ${density} g/cm³`;
 }
 
 export function MaterialControl({ parameter, value }: { parameter: Parameter; value: string }) {

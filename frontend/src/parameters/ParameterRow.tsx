@@ -54,7 +54,8 @@ function RowName({ parameter }: { parameter: Parameter }) {
       <MathSymbol symbol={parameter.symbol} />
       {parameter.assumed && (
         <abbr className="assumed" title={`Assumed: ${parameter.assumed}`} data-testid={`assumed-${parameter.name}`}>
-          assumed
+          <span aria-hidden="true">a</span>
+          <span className="visually-hidden">assumed</span>
         </abbr>
       )}
     </span>

@@ -74,13 +74,12 @@ function Plots(props: PlotsProps) {
   return (
     <div className="plots">
       <div className="plot-head">
-        <h2>Bending angle</h2>
+        <h2>Bending angle (°)</h2>
         <ChartLegend curves={angle} />
       </div>
       <CurveChart
         curves={angle}
-        xLabel="Pressure (kPa)"
-        yLabel="Bending angle (°)"
+        xTitle="Pressure (kPa)"
         marked={props.pressure}
         onPick={scrubToPressure}
         onDrawn={() => markPlotted(props.input)}
@@ -88,13 +87,12 @@ function Plots(props: PlotsProps) {
         testId="chart-angle"
       />
       <div className="plot-head">
-        <h2 title="Path of the middle of the free end's bottom edge, as pressure rises">Tip trajectory</h2>
+        <h2 title="Path of the middle of the free end's bottom edge, as pressure rises">Tip trajectory, X₃ (mm)</h2>
         {props.stale && <span className="stale-mark">last answer, not this design</span>}
       </div>
       <CurveChart
         curves={tip}
-        xLabel="X₁ (mm)"
-        yLabel="X₃ (mm)"
+        xTitle="X₁ (mm)"
         equal
         marked={props.pressure}
         onPick={scrubToPressure}

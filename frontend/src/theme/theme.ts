@@ -6,6 +6,8 @@ export type Theme = "light" | "dark";
 const KEY = "pneustudio.theme";
 const system = window.matchMedia("(prefers-color-scheme: dark)");
 const listeners = new Set<() => void>();
+/** Tokens as the present theme has them. */
+const resolved = new Map<string, string>();
 
 function readChoice(): ThemeChoice {
   const stored = localStorage.getItem(KEY);
@@ -21,6 +23,7 @@ function resolve(): Theme {
 
 function apply(): void {
   document.documentElement.dataset.theme = resolve();
+  resolved.clear();
   for (const listener of listeners) listener();
 }
 
@@ -47,5 +50,10 @@ export function useTheme(): { theme: Theme; choice: ThemeChoice } {
 
 /** Resolved value of a design token, for drawing on a canvas. */
 export function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  let value = resolved.get(name);
+  if (value === undefined) {
+    value = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    resolved.set(name, value);
+  }
+  return value;
 }

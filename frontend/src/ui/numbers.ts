@@ -14,7 +14,8 @@ export function parseNumber(text: string): number | null {
 /** A quantity to read: fixed decimals by size, a dash where there is none. */
 export function formatQuantity(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "—";
-  const size = Math.abs(value);
+  // What a solver leaves of a zero is a zero to read.
+  const size = Math.abs(value) < 1e-6 ? 0 : Math.abs(value);
   if (size !== 0 && (size >= 1e5 || size < 1e-3)) return value.toExponential(digits - 1).replace("-", "−");
   const whole = size >= 1 ? Math.floor(Math.log10(size)) + 1 : 1;
   const decimals = Math.max(0, Math.min(4, digits - whole));
@@ -36,4 +37,8 @@ export function formatMoment(iso: string): string {
   return today
     ? moment.toLocaleTimeString(undefined, { hour: "2-digit", minute: "2-digit" })
     : moment.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+}
+
+export function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }

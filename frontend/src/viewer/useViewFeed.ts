@@ -33,7 +33,7 @@ export function useViewFeed(): void {
       showContent({ source: { kind: "job", job_id: jobId }, colour, undeformed, frame: null });
     } else if (answered) {
       const source = { kind: "instant" as const, design: answered.design, scene: sceneOf(answered) };
-      showContent({ source, colour, undeformed, frame: null });
+      showContent({ source, colour, undeformed, frame: null }, view.get().content ? "at rest" : "now");
     }
   }, [answered, jobId, colour, undeformed]);
 

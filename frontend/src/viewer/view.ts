@@ -68,7 +68,6 @@ const contents = new Lane<Placed<ContentRequest>, ViewContent>(
     setFrames(content.pressures_kPa);
   },
   (_, error) => onFailure(error),
-  120,
 );
 
 const frames = new Lane<Placed<number>, unknown>(
@@ -80,12 +79,22 @@ const frames = new Lane<Placed<number>, unknown>(
   (_, error) => onFailure(error),
 );
 
-export function showContent(content: ContentRequest): void {
+/** While a slider moves, the plots have the machine: the body follows once the hand rests. (The
+ * room's page decodes its frames on this page's thread.) */
+const REST_MS = 350;
+let resting = 0;
+
+export function showContent(content: ContentRequest, when: "now" | "at rest" = "now"): void {
   wanted = content;
-  const { viewId } = view.get();
-  if (viewId === null) return;
+  window.clearTimeout(resting);
   patch({ busy: true });
-  contents.ask({ viewId, body: content });
+  if (when === "now") send();
+  else resting = window.setTimeout(send, REST_MS);
+}
+
+function send(): void {
+  const { viewId } = view.get();
+  if (viewId !== null && wanted) contents.ask({ viewId, body: wanted });
 }
 
 export function showFrame(index: number): void {

@@ -8,8 +8,8 @@ import { readSlot, slotOf } from "./slots";
 import { isChanged, start, type Snapshot } from "./timeline";
 import { bench, lay, moveToVersion, replaceDesign } from "./workbench";
 
-/** What a first visit shows: bends and twists, so that every plot has something to say. */
-const FIRST_PRESET = "oblique-45";
+/** What a first visit shows. */
+const FIRST_PRESET = "slab-rectangle-low";
 
 function presetWork(preset: Preset): { work: Work; origin: Origin } {
   return {
