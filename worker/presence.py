@@ -62,5 +62,5 @@ def _report(name: str) -> None:
 
 def _load_solver() -> None:
     started = time.perf_counter()
-    importlib.import_module("actuators.mechanics.continuum")
+    importlib.import_module("actuators.mechanics.continuum.warm").exercise()
     _logger.info("solver loaded in %.1f s", time.perf_counter() - started)
