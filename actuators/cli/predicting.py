@@ -156,7 +156,10 @@ _COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
 def _print(response: Response) -> None:
     rows = [[_rounded(column(point)) for _, column in _COLUMNS] for point in response.path]
     known = [c for c in range(len(_COLUMNS)) if any(row[c] is not None for row in rows)]
-    click.echo(table([_COLUMNS[c][0] for c in known], [[row[c] for c in known] for row in rows]))
+    if rows:
+        click.echo(table([_COLUMNS[c][0] for c in known], [[r[c] for c in known] for r in rows]))
+    else:
+        click.echo("No point of the path was found.")
     error = response.error_estimate
     click.echo(
         f"\nRung {response.rung}: {response.outcome.value}"

@@ -86,3 +86,14 @@ def test_the_first_interrupt_asks_for_what_there_is(monkeypatch: pytest.MonkeyPa
     assert "cancelled" in result.stdout
     assert "Ctrl-C again" in result.stderr
     assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_an_empty_path_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    def solver(design: Design, scene: Scene, **_: Any) -> Response:
+        return Response(design, scene, "fe", Outcome.CANCELLED, path=(), advice="Ask again.")
+
+    monkeypatch.setattr(continuum, "solve", solver, raising=False)
+    result = CliRunner().invoke(main, list(ARGUMENTS))
+    assert result.exit_code == 0
+    assert "No point of the path was found." in result.stdout
+    assert "Ask again." in result.stdout
