@@ -17,17 +17,18 @@ def path_points(
     """Points of the path found. ``length``: (s,) pieces [m]; ``chambered``: (s,) which of them
     carry chambers; ``cavity_volume``: (k,) [m3] or None.
 
-    Curvature and torsion are means over the chambered pieces, per undeformed length; the helix is
-    the one that these means wind, per stretched length.
+    Curvature and torsion are means over the whole undeformed length, as the 3D solver reports them;
+    the helix is the one that the chambered pieces wind, end pieces left out, per stretched length.
     """
     tip = path.positions[:, -1]
     moved = tip - np.array([length.sum(), 0.0, 0.0])
     turn = end_turn(path.frames)
     angle = np.arctan2(-tip[:, 2], tip[:, 0])
+    mean = np.einsum("ksi,s->ki", path.strains, length) / length.sum()
     weight = length * chambered
-    mean = np.einsum("ksi,s->ki", path.strains, weight) / weight.sum()
-    stretched = np.maximum(1 + mean[:, 0], 1e-6)
-    radius, pitch = helix(mean[:, 2] / stretched, mean[:, 1] / stretched)
+    wound = np.einsum("ksi,s->ki", path.strains, weight) / weight.sum()
+    stretched = np.maximum(1 + wound[:, 0], 1e-6)
+    radius, pitch = helix(wound[:, 2] / stretched, wound[:, 1] / stretched)
     columns = (pressures, tip, moved, turn, angle, mean[:, 2], mean[:, 1], radius, pitch)
     rows = zip(*(column[: len(tip)].tolist() for column in columns), strict=True)
     volumes = [None] * len(tip) if cavity_volume is None else cavity_volume.tolist()
