@@ -1,0 +1,253 @@
+"""Following equilibrium from rest through gravity and inflation, up to a limit point if any.
+
+Pressure is raised with adaptive steps from a linear prediction. Where a pressure step fails or
+lands on an unstable state, the cavity volume takes over as control: it passes the pressure's
+maximum, which is then the answer, located by a parabola through the three states around it.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from actuators.mechanics.continuum.direct_solver import SymmetricSolver
+from actuators.mechanics.continuum.newton import (
+    Equilibrium,
+    Failure,
+    Target,
+    solve_equilibrium,
+)
+from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.response import Outcome
+
+FIRST_STEP, GRAVITY_GROWTH, LARGEST_STEP = 0.1, 1.5, 0.1
+SMALLEST_FIRST_STEP = 1 / 500
+"""Fraction of the range below which volume takes over."""
+LARGEST_VOLUME_STEP = 0.15
+"""Fraction of the cavity's volume."""
+SMALLEST_VOLUME_STEP = 1 / 2000
+"""Fraction of the cavity's volume below which the path has stalled."""
+MOST_VOLUME_STEPS = 200
+PREDICTOR_STATES = 2
+"""States that the prediction extrapolates: linear. A parabola through three was tried and cost more
+iterations wherever the step had grown."""
+
+Watch = Callable[[float], None]
+
+
+@dataclass(eq=False)
+class Path:
+    """Equilibria found, in order; ``beyond`` is a state past the limit point, kept to locate the
+    limit on finer meshes."""
+
+    points: list[Equilibrium] = field(default_factory=list)
+    outcome: Outcome = Outcome.CONVERGED
+    reason: str = ""
+    beyond: Equilibrium | None = None
+    iterations: int = 0
+
+
+class PathFollower:
+    """One mesh's path. ``cancelled`` may return a reason to stop (an outcome), else None."""
+
+    def __init__(
+        self,
+        system: ContinuumSystem,
+        solver: SymmetricSolver,
+        *,
+        tolerance: float = 1e-6,
+        stop: Callable[[], Outcome | None] = lambda: None,
+        watch: Watch = lambda pressure: None,
+    ) -> None:
+        self._system, self._solver, self._tolerance = system, solver, tolerance
+        self._stop, self._watch = stop, watch
+        self._path = Path()
+
+    def follow(self, pressure_to: float, report: Sequence[float] | None) -> Path:
+        """Path from zero to ``pressure_to`` [Pa]. ``report``: increasing pressures to stop at, the
+        last one ``pressure_to``; None keeps every step."""
+        path = self._path
+        start = self._apply_gravity()
+        if start is None:
+            return path
+        path.points.append(start)
+        if pressure_to > 0.0:
+            visited = self._inflate(start, pressure_to, report)
+            path.points = [start, *visited]
+        return path
+
+    def _solve(self, start: State, target: Target) -> Equilibrium | Failure:
+        result = solve_equilibrium(
+            self._system, self._solver, start, target, tolerance=self._tolerance,
+            cancelled=lambda: self._stop() is not None,
+        )  # fmt: skip
+        self._path.iterations += result.iterations
+        return result
+
+    def _stopped(self) -> bool:
+        why = self._stop()
+        if why is not None:
+            self._path.outcome = why
+        return why is not None
+
+    def _apply_gravity(self) -> Equilibrium | None:
+        """State under its own weight at zero pressure."""
+        state = self._system.rest()
+        done, step = 0.0, 1.0
+        while True:
+            share = min(1.0, done + step)
+            result = self._solve(state, Target(0.0, gravity=share))
+            if isinstance(result, Equilibrium):
+                state, done = result.state, share
+                if done == 1.0:
+                    return result
+                step *= GRAVITY_GROWTH
+            elif self._stopped():
+                return None
+            else:
+                step /= 2
+                if step < 1 / 64:
+                    self._path.outcome = Outcome.STALLED
+                    self._path.reason = f"gravity beyond {done:.0%}: {result.reason}"
+                    return None
+
+    def _inflate(
+        self, start: Equilibrium, pressure_to: float, report: Sequence[float] | None
+    ) -> list[Equilibrium]:
+        targets = list(report) if report is not None else None
+        visited: list[Equilibrium] = []
+        history = [start]
+        step = FIRST_STEP * pressure_to
+        while True:
+            last = history[-1]
+            goal = targets[0] if targets else pressure_to
+            wanted = last.pressure + min(step, LARGEST_STEP * pressure_to)
+            if wanted > goal - 0.2 * step:
+                wanted = goal
+            result = self._solve(_predict(history, wanted), Target(wanted))
+            if isinstance(result, Equilibrium) and not result.negative_eigenvalues:
+                history = [*history[-2:], result]
+                step = (wanted - last.pressure) * _growth(result.iterations)
+                self._watch(wanted)
+            elif self._stopped():
+                return visited
+            else:
+                step = (wanted - last.pressure) / 2
+                if len(history) == 1 and step >= SMALLEST_FIRST_STEP * pressure_to:
+                    continue
+                found = self._inflate_by_volume(history, goal, visited, targets is None)
+                if found is None:
+                    return visited
+                history = found
+            if targets is None or history[-1].pressure >= goal:
+                visited.append(history[-1])
+                if targets:
+                    targets.pop(0)
+            if history[-1].pressure >= pressure_to:
+                return visited
+
+    def _inflate_by_volume(
+        self, history: list[Equilibrium], goal: float, visited: list[Equilibrium], keep: bool
+    ) -> list[Equilibrium] | None:
+        """Raise the volume until the pressure passes ``goal`` (then the two last states, the last
+        one at ``goal``) or a maximum (then None, with the limit state as last visited)."""
+        path = self._path
+        trail = history[-3:]
+        step = 0.5 * (trail[-1].volume - trail[-2].volume) if len(trail) > 1 else 0.0
+        step = max(step, 0.02 * trail[-1].volume)
+        for _ in range(MOST_VOLUME_STEPS):
+            last = trail[-1]
+            step = min(step, LARGEST_VOLUME_STEP * last.volume)
+            volume = last.volume + step
+            guess = _predict_by_volume(trail, volume)
+            result = self._solve(guess[0], Target(guess[1], volume=volume))
+            if isinstance(result, Failure):
+                if self._stopped():
+                    return None
+                step /= 2
+                if step < SMALLEST_VOLUME_STEP * last.volume:
+                    path.outcome = Outcome.STALLED
+                    path.reason = result.reason
+                    return None
+                continue
+            if result.pressure <= last.pressure:
+                self._locate_limit([*trail, result], visited)
+                return None
+            if result.pressure >= goal:
+                share = (goal - last.pressure) / (result.pressure - last.pressure)
+                start = last.state.moved(share, _difference(result.state, last.state))
+                there = self._solve(start, Target(goal))
+                if isinstance(there, Equilibrium):
+                    return [last, there]
+                goal = np.inf  # an unstable stretch: leave it to the volume
+            self._watch(result.pressure)
+            if keep:
+                visited.append(result)
+            trail = [*trail[-2:], result]
+            step *= _growth(result.iterations)
+        path.outcome = Outcome.STALLED
+        path.reason = "the volume grows without the pressure coming to a maximum"
+        return None
+
+    def _locate_limit(self, around: list[Equilibrium], visited: list[Equilibrium]) -> None:
+        """Solve at the volume where a parabola through the last three states has its maximum."""
+        path = self._path
+        path.outcome = Outcome.LIMIT_POINT
+        path.beyond = around[-1]
+        before = around[-2]
+        if len(around) >= 3:
+            volume = _summit(around[-3:])
+            guess = _predict_by_volume(around[-2:], volume)
+            result = self._solve(guess[0], Target(guess[1], volume=volume))
+            if isinstance(result, Equilibrium) and result.pressure > before.pressure:
+                before = result
+        if not visited or before is not visited[-1]:
+            visited.append(before)
+
+
+def _growth(iterations: int) -> float:
+    """Next step over this one: easy steps may grow."""
+    return {1: 2.0, 2: 1.5, 3: 1.2}.get(iterations, 0.8 if iterations > 5 else 1.0)
+
+
+def _difference(a: State, b: State) -> State:
+    return State(a.displacement - b.displacement, a.pressure - b.pressure)
+
+
+def _weights(known: Sequence[float], at: float) -> list[float]:
+    """Lagrange weights of the polynomial through values at ``known`` for its value at ``at``."""
+    return [
+        math.prod((at - other) / (own - other) for k, other in enumerate(known) if k != n)
+        for n, own in enumerate(known)
+    ]
+
+
+def _combine(states: Sequence[State], weights: Sequence[float]) -> State:
+    return State(
+        sum((w * s.displacement for w, s in zip(weights, states, strict=True)), np.zeros(())),
+        sum((w * s.pressure for w, s in zip(weights, states, strict=True)), np.zeros(())),
+    )
+
+
+def _predict(history: list[Equilibrium], pressure: float) -> State:
+    """Extrapolation of the last states (up to three) to ``pressure``."""
+    recent = history[-PREDICTOR_STATES:]
+    weights = _weights([e.pressure for e in recent], pressure)
+    return _combine([e.state for e in recent], weights)
+
+
+def _predict_by_volume(trail: list[Equilibrium], volume: float) -> tuple[State, float]:
+    """Extrapolation of the last states, and of the pressure, to ``volume``."""
+    recent = trail[-PREDICTOR_STATES:]
+    weights = _weights([e.volume for e in recent], volume)
+    pressure = sum(w * e.pressure for w, e in zip(weights, recent, strict=True))
+    return _combine([e.state for e in recent], weights), pressure
+
+
+def _summit(three: list[Equilibrium]) -> float:
+    """Volume at the maximum of the parabola p(V) through three states."""
+    v = np.array([e.volume for e in three])
+    p = np.array([e.pressure for e in three])
+    a, b, _ = np.polyfit(v - v[1], p, 2)
+    return float(v[1] - b / (2 * a)) if a < 0 else float(v[1])

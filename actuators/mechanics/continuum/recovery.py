@@ -1,0 +1,115 @@
+"""From converged states to the result type of the ladder."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from actuators.design.base import Design
+from actuators.mechanics.continuum.findings import advice, effects, overlap_note, range_notes
+from actuators.mechanics.continuum.path import Path
+from actuators.mechanics.continuum.sections import RodShape, rod_shape
+from actuators.mechanics.continuum.surface_fields import StrainRecovery, surface_fields
+from actuators.mechanics.continuum.system import ContinuumSystem
+from actuators.mechanics.continuum.wall_overlap import has_gaps, wall_overlap
+from actuators.mechanics.response import Outcome, PathPoint, Response
+from actuators.mechanics.scene import Scene
+
+
+@dataclass(eq=False)
+class Answer:
+    """States on the finest mesh reached. ``error_estimate`` is None where only one mesh answered;
+    ``stopped``: why refinement ended early; ``solved``: points solved on this very mesh."""
+
+    system: ContinuumSystem
+    path: Path
+    error_estimate: float | None
+    iterations: int
+    stopped: Outcome | None
+    solved: int
+
+
+def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Response:
+    """Points, centreline, surface fields, effects and notes of an answer."""
+    system, mesh = answer.system, answer.system.mesh
+    states = [e.state for e in answer.path.points]
+    shape = rod_shape(mesh, states)
+    strain = StrainRecovery(system)
+    largest = np.array([_largest_stretches(system, strain.at_points(s)[0]) for s in states])
+    points = _points(answer, shape, largest)
+    note = overlap_note(points, wall_overlap(mesh, states))
+    notes = _notes(answer, accuracy)
+    notes += range_notes(system.materials, largest.max(axis=0) if len(states) else [])
+    if note is not None:
+        notes.append(note)
+    path = answer.path
+    if answer.stopped is not None:
+        path = replace(path, outcome=answer.stopped)
+    return Response(
+        design=design,
+        scene=scene,
+        rung="fe",
+        outcome=path.outcome,
+        path=points,
+        advice=advice(path, points, scene),
+        centreline=shape.centreline,
+        surface=surface_fields(system, states, strain),
+        error_estimate=answer.error_estimate,
+        unknowns=system.unknowns,
+        newton_iterations=answer.iterations,
+        effects=effects(scene, points, note, has_gaps(mesh), mesh.is_half),
+        notes=tuple(notes),
+    )
+
+
+def _largest_stretches(system: ContinuumSystem, stretch: np.ndarray) -> list[float]:
+    """Largest stretch in each region."""
+    region = system.mesh.region
+    return [
+        float(stretch[region == r].max()) if (region == r).any() else 1.0
+        for r in range(len(system.materials))
+    ]
+
+
+def _points(answer: Answer, shape: RodShape, largest: np.ndarray) -> tuple[PathPoint, ...]:
+    line = shape.centreline.positions
+    clamp, rest = answer.system.mesh.nodes[answer.system.mesh.underside_line[[0, -1]]]
+    halves = 2.0 if answer.system.mesh.is_half else 1.0
+    points: list[PathPoint] = []
+    for k, found in enumerate(answer.path.points):
+        tip = line[k, -1]
+        points.append(
+            PathPoint(
+                pressure=found.pressure,
+                tip=_triple(tip),
+                tip_displacement=_triple(tip - rest),
+                tip_rotation=float(shape.tip_rotation[k]),
+                bending_angle=float(np.arctan2(clamp[2] - tip[2], tip[0] - clamp[0])),
+                curvature=float(shape.curvature[k]),
+                torsion=float(shape.torsion[k]),
+                cavity_volume=halves * found.volume,
+                max_principal_stretch=float(largest[k].max()),
+            )
+        )
+    return tuple(points)
+
+
+def _triple(x: np.ndarray) -> tuple[float, float, float]:
+    return float(x[0]), float(x[1]), float(x[2])
+
+
+def _notes(answer: Answer, accuracy: float) -> list[str]:
+    notes: list[str] = []
+    estimate, count = answer.error_estimate, len(answer.path.points)
+    if estimate is None and count:
+        notes.append("Only the coarsest mesh answered: there is no error estimate.")
+    elif estimate is not None and estimate > accuracy:
+        notes.append(
+            f"The accuracy asked for ({accuracy:.2g}) was not reached: two nested meshes still "
+            f"differ by {estimate:.2g}, and a finer one exceeds this version's size."
+        )
+    if answer.solved < count:
+        notes.append(
+            f"{answer.solved} of {count} points were solved on the finest mesh; the others are "
+            "coarse answers with the correction interpolated."
+        )
+    return notes

@@ -1,0 +1,112 @@
+"""Displacement, largest principal stretch and Cauchy stress on the surface, for viewers.
+
+Strains are taken at the 2 x 2 x 2 Gauss points, where a quadratic element is most accurate,
+extrapolated to the nodes and averaged over the elements that meet there.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from actuators.materials import HyperelasticLaw, Ogden, Yeoh
+from actuators.mechanics.continuum.kernel.shape import cube_shape, gauss_cube
+from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.response import SurfaceFields
+from actuators.meshing import HexMesh
+
+_POINTS, _ = gauss_cube(2)
+_, _SLOPES = cube_shape(_POINTS)
+_PRESSURE = np.concatenate([np.ones((8, 1)), _POINTS], axis=1)
+# trilinear extrapolation (27, 8) from the Gauss points to the nodes
+_NODE_POINTS = np.stack(
+    np.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0], indexing="ij")[::-1], axis=-1
+).reshape(27, 3)
+_EXTRAPOLATE = np.prod(1 + 3 * _NODE_POINTS[:, None, :] * _POINTS[None, :, :], axis=-1) / 8
+
+
+class StrainRecovery:
+    """Principal stretch and stress of one system's states."""
+
+    def __init__(self, system: ContinuumSystem) -> None:
+        self._system = system
+        mesh = system.mesh
+        at = mesh.nodes[mesh.elements]
+        jacobian = np.einsum("mni,gdn->mgid", at, _SLOPES)
+        self._gradients = np.einsum("mgdi,gdn->mgin", np.linalg.inv(jacobian), _SLOPES)
+        self._share = np.bincount(mesh.elements.ravel(), minlength=len(mesh.nodes))
+
+    def at_points(self, state: State) -> tuple[np.ndarray, np.ndarray]:
+        """Largest principal stretch and Cauchy stress [Pa] at the Gauss points, (m, 8) each."""
+        mesh = self._system.mesh
+        f = np.einsum("mni,mgjn->mgij", state.displacement[mesh.elements], self._gradients)
+        f += np.eye(3)
+        square = np.linalg.eigvalsh(np.swapaxes(f, -1, -2) @ f)
+        log = 0.5 * np.log(np.maximum(square, 1e-30))
+        volume = log.sum(axis=-1, keepdims=True)
+        stress = np.einsum("gp,mp->mg", _PRESSURE, state.pressure)
+        for number, material in enumerate(self._system.materials):
+            own = mesh.region == number
+            slope = _isochoric_slope(material.law, log[own] - volume[own] / 3)
+            stress[own] += (slope / np.exp(volume[own])).max(axis=-1)
+        return np.exp(log.max(axis=-1)), stress
+
+    def at_nodes(self, values: np.ndarray) -> np.ndarray:
+        """(m, 8) values at Gauss points to (n,) at nodes."""
+        mesh = self._system.mesh
+        spread = values @ _EXTRAPOLATE.T
+        total = np.bincount(mesh.elements.ravel(), spread.ravel(), minlength=len(mesh.nodes))
+        return total / self._share
+
+
+def _isochoric_slope(law: HyperelasticLaw, log: np.ndarray) -> np.ndarray:
+    """dW/dlog(l) of isochoric stretches exp(``log``), shape (..., 3) [Pa]: J times the deviatoric
+    Cauchy stress."""
+    if isinstance(law, Ogden):
+        slope = sum((m * np.expm1(alpha * log) for m, alpha in law.work_terms), np.zeros_like(log))
+    else:
+        square = np.exp(2 * log)
+        x = square.sum(axis=-1, keepdims=True) - 3
+        yeoh = Yeoh(*law.coefficients)
+        slope = 2 * (yeoh.c10 + x * (2 * yeoh.c20 + x * 3 * yeoh.c30)) * square
+    return slope - slope.mean(axis=-1, keepdims=True)
+
+
+def surface_fields(
+    system: ContinuumSystem, states: Sequence[State], recovery: StrainRecovery
+) -> SurfaceFields:
+    """Fields of all states on the outside and in the cavity; a half model is completed."""
+    mesh = system.mesh
+    nodes, triangles = _surface(mesh)
+    displacement = np.array([s.displacement[nodes] for s in states]).reshape(-1, len(nodes), 3)
+    stretch, stress = np.empty((2, len(states), len(nodes)))
+    for row, state in enumerate(states):
+        point_stretch, point_stress = recovery.at_points(state)
+        stretch[row] = np.maximum(recovery.at_nodes(point_stretch)[nodes], 1.0)
+        stress[row] = recovery.at_nodes(point_stress)[nodes]
+    vertices = mesh.nodes[nodes]
+    if mesh.is_half:
+        off_plane = np.flatnonzero(mesh.node_index[nodes, 1] > 0)
+        twin = np.arange(len(nodes))
+        twin[off_plane] = len(nodes) + np.arange(len(off_plane))
+        mirror = np.array([1.0, -1.0, 1.0])
+        vertices = np.concatenate([vertices, vertices[off_plane] * mirror])
+        displacement = np.concatenate([displacement, displacement[:, off_plane] * mirror], axis=1)
+        stretch = np.concatenate([stretch, stretch[:, off_plane]], axis=1)
+        stress = np.concatenate([stress, stress[:, off_plane]], axis=1)
+        triangles = np.concatenate([triangles, twin[triangles][:, ::-1]])
+    return SurfaceFields(
+        vertices=vertices.astype(np.float32),
+        triangles=triangles.astype(np.int32),
+        displacement=displacement.astype(np.float32),
+        stretch=stretch.astype(np.float32),
+        stress=stress.astype(np.float32),
+    )
+
+
+def _surface(mesh: HexMesh) -> tuple[np.ndarray, np.ndarray]:
+    """Surface nodes, and triangles (outward from the rubber) among them: eight a face."""
+    faces = np.concatenate([mesh.outer_faces.nodes, mesh.cavity_faces.nodes])
+    corner = [a + 3 * b for b in range(2) for a in range(2)]
+    pattern = np.array([[c, c + 1, c + 4] for c in corner] + [[c, c + 4, c + 3] for c in corner])
+    nodes, triangles = np.unique(faces[:, pattern].reshape(-1, 3), return_inverse=True)
+    return nodes, triangles.reshape(-1, 3)
