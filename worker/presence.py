@@ -25,7 +25,7 @@ def announce(name: str) -> None:
 
     def child_starts(**_: Any) -> None:
         threading.Thread(target=_report, args=(name,), name="presence", daemon=True).start()
-        _load_solver()
+        load_solver()
 
     def leave(**_: Any) -> None:
         # Celery's own ways out wait for the running job, or hang. Here nothing is worth waiting
@@ -60,7 +60,8 @@ def _report(name: str) -> None:
         time.sleep(_PERIOD_S)
 
 
-def _load_solver() -> None:
+def load_solver() -> None:
+    """Read the compiled kernels and the direct solver now, so that the first job does not wait."""
     started = time.perf_counter()
     importlib.import_module("actuators.mechanics.continuum.warm").exercise()
     _logger.info("solver loaded in %.1f s", time.perf_counter() - started)
