@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-_FLOAT, _UINT, _USHORT = 5126, 5125, 5123
+# signed colours are beyond the glTF standard, but what three.js draws; see `shading`
+_FLOAT, _UINT, _USHORT, _SHORT = 5126, 5125, 5123, 5122
 _TRIANGLES, _LINES = 4, 1
 
 
@@ -20,11 +21,11 @@ def coloured_body(
     edge_colour: tuple[float, float, float, float],
     opacity: float = 1.0,
 ) -> bytes:
-    """One body. ``positions`` (n, 3) float32; ``triangles`` (m, 3); ``colours`` (n, 4) uint16,
-    where 65535 stands for ``factor`` in linear light; ``edges`` (e, 2) vertices joined by lines."""
+    """One body. ``positions`` (n, 3) float32; ``triangles`` (m, 3); ``colours`` (n, 4) int16,
+    where 32767 stands for ``factor`` in linear light; ``edges`` (e, 2) vertices joined by lines."""
     writer = _Writer()
     position = writer.positions(positions)
-    colour = writer.add(colours, _USHORT, "VEC4", normalized=True)
+    colour = writer.add(colours, _SHORT, "VEC4", normalized=True)
     faces = writer.indices(triangles, len(positions))
     primitives = [
         {"attributes": {"POSITION": position, "COLOR_0": colour}, "indices": faces, "material": 0,

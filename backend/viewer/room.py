@@ -10,8 +10,10 @@ import viser
 from backend.viewer import stage
 from backend.viewer.viser_door import GuardedServer
 
-SETTLE_S = 0.25
+SETTLE_S = 0.15
 """Time given to pages to load new bodies, unseen, before they replace the old ones."""
+SOONEST_S = 0.08
+"""Bodies that have waited this long are shown when newer ones arrive: a slider in motion moves."""
 
 
 @dataclass(eq=False)
@@ -51,24 +53,35 @@ class Room:
         self._take: _Take | None = None
         self._waiting: _Take | None = None
         self._timer: threading.Timer | None = None
+        self._sent_at = 0.0
         self._serial = 0
+        self._tickets = 0
+        self._newest = 0
         self._stage = stage.Stage(self.guarded.server, dark=self.dark)
 
-    def show(self, bodies: Bodies, frame: int) -> None:
+    def ticket(self) -> int:
+        """To be drawn before content is built: of two requests at once the later one wins."""
+        with self._lock:
+            self._tickets += 1
+            return self._tickets
+
+    def show(self, bodies: Bodies, frame: int, ticket: int) -> None:
         """Replace the content without a gap: new bodies are sent hidden, and take the old ones'
         place when pages have had time to load them."""
-        server = self.guarded.server
         with self._lock:
-            self._drop_waiting()
+            if ticket < self._newest:
+                return
+            self._newest = ticket
+            self._settle_waiting()
             self._serial += 1
-            with server.atomic():
+            with self.guarded.server.atomic():
                 take = self._send(bodies, frame, visible=self._take is None)
                 self._stage.fit(bodies.box, bodies.clamp)
             if self._take is None:
                 self._take = take
                 return
-            self._waiting = take
-            self._timer = threading.Timer(SETTLE_S, self._swap, args=[take])
+            self._waiting, self._sent_at = take, time.monotonic()
+            self._timer = threading.Timer(SETTLE_S, self._when_settled, args=[take])
             self._timer.daemon = True
             self._timer.start()
 
@@ -107,37 +120,43 @@ class Room:
     def _send(self, bodies: Bodies, frame: int, *, visible: bool) -> _Take:
         scene = self.guarded.server.scene
         parent = scene.add_frame(f"/take{self._serial}", show_axes=False, visible=visible)
-        frames = [
-            scene.add_glb(
-                f"{parent.name}/frame{k}", glb, visible=k == frame, cast_shadow=False,
-                receive_shadow=False,
-            )
-            for k, glb in enumerate(bodies.frames)
-        ]  # fmt: skip
+        # the frame to be seen comes first, so that pages load it first
+        order = sorted(range(len(bodies.frames)), key=lambda k: k != frame)
+        frames = {k: self._add(f"{parent.name}/frame{k}", bodies.frames[k]) for k in order}
+        for k in order[1:]:
+            frames[k].visible = False
         if bodies.undeformed is not None:
-            scene.add_glb(
-                f"{parent.name}/undeformed",
-                bodies.undeformed,
-                cast_shadow=False,
-                receive_shadow=False,
-            )
-        return _Take(parent, frames, frame)
+            self._add(f"{parent.name}/undeformed", bodies.undeformed)
+        return _Take(parent, [frames[k] for k in sorted(frames)], frame)
 
-    def _swap(self, take: _Take) -> None:
+    def _add(self, name: str, glb: bytes) -> viser.GlbHandle:
+        scene = self.guarded.server.scene
+        return scene.add_glb(name, glb, cast_shadow=False, receive_shadow=False)
+
+    def _when_settled(self, take: _Take) -> None:
         with self._lock:
-            if self._waiting is not take:
-                return  # overtaken by newer content, or the room is closed
-            old, self._take, self._waiting, self._timer = self._take, take, None, None
-            with self.guarded.server.atomic():
-                take.parent.visible = True
-                if old is not None:
-                    old.remove()
-            self.guarded.forget_removed()
+            if self._waiting is take:  # else overtaken by newer content, or the room is closed
+                self._swap()
 
-    def _drop_waiting(self) -> None:
+    def _settle_waiting(self) -> None:
+        """Make room for newer content: show what waits, or drop it when it came just now."""
         if self._timer is not None:
             self._timer.cancel()
-        if self._waiting is not None:
-            with self.guarded.server.atomic():
-                self._waiting.remove()
+        if self._waiting is None:
+            return
+        if time.monotonic() - self._sent_at >= SOONEST_S:
+            self._swap()
+            return
+        with self.guarded.server.atomic():
+            self._waiting.remove()
         self._waiting = self._timer = None
+
+    def _swap(self) -> None:
+        old, self._take = self._take, self._waiting
+        self._waiting = self._timer = None
+        with self.guarded.server.atomic():
+            if self._take is not None:
+                self._take.parent.visible = True
+            if old is not None:
+                old.remove()
+        self.guarded.forget_removed()

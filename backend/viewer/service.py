@@ -41,6 +41,7 @@ def show(
 ) -> Content:
     """Build what was asked for and put it into the room."""
     room = _own(rooms, view_id, request)
+    ticket = room.ticket()
     stages: dict[str, float] = {}
     stamp = milliseconds(stages)
     if isinstance(body.source, JobSource):
@@ -53,7 +54,7 @@ def show(
     stamp("colour")
     last = len(shown.pressures) - 1
     frame = last if body.frame is None else min(body.frame, last)
-    room.show(shown.bodies, frame)
+    room.show(shown.bodies, frame, ticket)
     stamp("send")
     return Content(
         pressures_kPa=[float(f"{p / 1e3:.6g}") for p in shown.pressures],

@@ -13,10 +13,13 @@ from backend.viewer.colour_maps import SIZE, table
 
 SHADES = 32
 """Steps of brightness from turned away to facing the light."""
-DARKEST = 0.45
-"""Linear brightness of a face turned away from the light."""
+DARKEST, BRIGHTEST = 0.45, 0.95
+"""Linear brightness of a face turned away from the light, and of one that faces it; above 0.95 the
+tone curve cannot show the brightest yellows."""
 LIGHT = np.array([0.35, -0.6, 0.72]) / np.linalg.norm([0.35, -0.6, 0.72])
 """Direction towards the light: from above, the viewer's left shoulder."""
+FULL = 32767
+"""What stands for 1 in vertex colours."""
 PLAIN = "plain"
 """Name of the uncoloured grey."""
 
@@ -39,13 +42,13 @@ def tone_curve(linear: np.ndarray) -> np.ndarray:
 
 
 def before_tone_curve(shown: np.ndarray) -> np.ndarray:
-    """Linear colours (..., 3) that :func:`tone_curve` turns into ``shown`` (linear, 0..1), as near
-    as a colour without negative parts can."""
-    v = np.clip(shown @ np.linalg.inv(_ACES_OUT).T, 0.0, 0.985)
+    """Linear colours (..., 3) that :func:`tone_curve` turns into ``shown`` (linear, 0..0.95).
+    Saturated colours need a little less than nothing of one primary; three.js lets that pass."""
+    v = np.clip(shown @ np.linalg.inv(_ACES_OUT).T, -0.001, 0.985)
     # v (0.983729 x2 + 0.432951 x + 0.238081) = x2 + 0.0245786 x - 0.000090537, solved for x
     a, b, c = 1 - 0.983729 * v, 0.0245786 - 0.4329510 * v, -0.000090537 - 0.238081 * v
-    x = (-b + np.sqrt(b * b - 4 * a * c)) / (2 * a)
-    return np.clip((x @ np.linalg.inv(_ACES_IN).T) * _ACES_GAIN, 0.0, None)
+    x = (-b + np.sqrt(np.maximum(b * b - 4 * a * c, 0.0))) / (2 * a)
+    return (x @ np.linalg.inv(_ACES_IN).T) * _ACES_GAIN
 
 
 def to_linear(srgb: np.ndarray) -> np.ndarray:
@@ -55,19 +58,19 @@ def to_linear(srgb: np.ndarray) -> np.ndarray:
 
 @cache
 def palette(name: str) -> tuple[np.ndarray, float]:
-    """Colours to write into vertices: (SHADES, SIZE, 4) uint16 of which 65535 stands for the
+    """Colours to write into vertices: (SHADES, SIZE, 4) int16 of which 32767 stands for the
     returned factor, to be put into the material."""
     srgb = np.full((SIZE, 3), 0.72) if name == PLAIN else table(name)
-    shades = np.linspace(DARKEST, 1.0, SHADES)[:, None, None]
+    shades = np.linspace(DARKEST, BRIGHTEST, SHADES)[:, None, None]
     linear = before_tone_curve(to_linear(srgb)[None] * shades)
-    factor = float(linear.max())
-    colours = np.full((SHADES, SIZE, 4), 65535, dtype=np.uint16)
-    colours[..., :3] = np.round(linear / factor * 65535)
+    factor = float(np.abs(linear).max())
+    colours = np.full((SHADES, SIZE, 4), FULL, dtype=np.int16)
+    colours[..., :3] = np.round(linear / factor * FULL)
     return colours, factor
 
 
 def vertex_colours(name: str, position: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    """Colours (..., 4) uint16 of vertices at ``position`` (...) of the map, 0..1, with outward
+    """Colours (..., 4) int16 of vertices at ``position`` (...) of the map, 0..1, with outward
     ``normals`` (..., 3)."""
     colours, _ = palette(name)
     facing = 0.5 + 0.5 * (normals @ LIGHT.astype(normals.dtype))

@@ -1,0 +1,144 @@
+"""The viewer in a real Chromium: the page draws the body, scrubs without a gap, leaks nothing."""
+
+import io
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+
+from tests.backend.conftest import SCENE, SLAB, Served
+
+CHROMIUM = "/usr/bin/chromium"
+FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+         "--ignore-gpu-blocklist"]  # fmt: skip
+CALL = """async ([method, path, body]) => {
+  const answer = await fetch(path, {method, headers: {'content-type': 'application/json'},
+                                    body: JSON.stringify(body)});
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer.status === 204 ? null : await answer.json();
+}"""
+# the number of coloured pixels of the viewer's canvas, at every drawn frame
+WATCH = """() => {
+  const source = document.querySelector('canvas[data-engine]');
+  const copy = document.createElement('canvas');
+  copy.width = 100; copy.height = 80;
+  const context = copy.getContext('2d', {willReadFrequently: true});
+  window.coloured = [];
+  const look = () => {
+    context.clearRect(0, 0, 100, 80);
+    context.drawImage(source, 0, 0, 100, 80);
+    const d = context.getImageData(0, 0, 100, 80).data;
+    let n = 0;
+    for (let i = 0; i < d.length; i += 4)
+      if (Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 40) n++;
+    window.coloured.push(n);
+    requestAnimationFrame(look);
+  };
+  look();
+}"""
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(not Path(CHROMIUM).exists(), reason="no Chromium at /usr/bin/chromium"),
+]
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield opened
+        opened.close()
+
+
+class Studio:
+    """A tab that drives the API, and one that shows the view."""
+
+    def __init__(self, context: BrowserContext, base: str) -> None:
+        self.driver = context.new_page()
+        self.driver.goto(f"{base}/")
+        self.view = self.call("POST", "/api/views", {"dark": False})
+        self.content()
+        self.messages: list[str] = []
+        self.page: Page = context.new_page()
+        self.page.on("console", lambda m: self.messages.append(f"{m.type}: {m.text}"))
+        self.page.goto(base + self.view["url"])
+        self.page.wait_for_selector("canvas[data-engine]")
+        self.page.evaluate(WATCH)
+        self.page.wait_for_function("window.coloured.at(-1) > 100", timeout=30_000)
+
+    def call(self, method: str, path: str, body: Any) -> Any:
+        return self.driver.evaluate(CALL, [method, path, body])
+
+    def content(self, **change: Any) -> Any:
+        source = {"kind": "instant", "design": {**SLAB, **change}, "scene": SCENE}
+        body = {"source": source, "undeformed": True}
+        return self.call("PUT", f"/api/views/{self.view['view_id']}/content", body)
+
+    def frame(self, index: int) -> None:
+        self.call("PUT", f"/api/views/{self.view['view_id']}/frame", {"index": index})
+
+    def picture(self) -> np.ndarray:
+        return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
+
+
+@pytest.fixture(scope="module")
+def studio(browser: Browser, served: Served):
+    context = browser.new_context(viewport={"width": 500, "height": 400})
+    yield Studio(context, served.base)
+    context.close()
+
+
+def test_the_view_shows_the_body_and_hides_visers_own_panel(studio: Studio, tmp_path: Path) -> None:
+    studio.page.screenshot(path=tmp_path / "view.png")
+    for panel in studio.page.query_selector_all("[data-floating-window], .mantine-Paper-root"):
+        assert not panel.is_visible()
+    refused = [m for m in studio.messages if "Content Security Policy" in m or "error:" in m]
+    assert not refused, refused
+
+
+def test_new_content_replaces_the_old_without_a_gap(studio: Studio) -> None:
+    studio.page.evaluate("() => { window.coloured.length = 0 }")
+    for k in range(4):
+        studio.content(roof_thickness_mm=5 + 0.3 * k)
+        time.sleep(0.5)
+    counts = studio.page.evaluate("() => window.coloured")
+    assert len(counts) > 10
+    # bodies of nearly one shape: a gap, or old and new at once, would show
+    assert min(counts) > 0.85 * max(counts)
+
+
+def test_scrubbing_moves_the_body_without_a_gap(studio: Studio) -> None:
+    studio.frame(20)
+    studio.page.wait_for_timeout(500)
+    bent = studio.picture()
+    studio.page.evaluate("() => { window.coloured.length = 0 }")
+    for index in range(20, -1, -1):
+        studio.frame(index)
+    studio.page.wait_for_timeout(500)
+    assert min(studio.page.evaluate("() => window.coloured")) > 100
+    straight = studio.picture()
+    assert (np.abs(straight - bent).max(axis=-1) > 40).mean() > 0.03
+
+
+def test_the_camera_and_the_background_follow_their_buttons(studio: Studio) -> None:
+    path = f"/api/views/{studio.view['view_id']}/appearance"
+    before = studio.picture()
+    studio.call("PUT", path, {"camera": "top"})
+    studio.page.wait_for_timeout(800)
+    assert (np.abs(studio.picture() - before).max(axis=-1) > 40).mean() > 0.05
+    studio.call("PUT", path, {"dark": True})
+    studio.page.wait_for_timeout(800)
+    assert studio.picture()[5, 5].max() < 60
+
+
+def test_a_page_whose_room_was_closed_says_nothing_to_a_new_one(studio: Studio) -> None:
+    studio.call("DELETE", f"/api/views/{studio.view['view_id']}", {})
+    studio.page.wait_for_timeout(500)
+    answer = studio.page.goto(studio.page.url)
+    assert answer is not None
+    assert answer.status == 404
