@@ -21,7 +21,10 @@ from actuators.mechanics.continuum.newton import (
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import Outcome
 
-FIRST_STEP, GRAVITY_GROWTH, LARGEST_STEP = 0.1, 1.5, 0.1
+FIRST_STEP, LARGEST_STEP = 0.05, 0.1
+"""Fractions of the pressure range."""
+LARGEST_FIRST_MOVE = 0.2
+SMALLEST_SHARE_OF_GRAVITY = 1 / 256
 SMALLEST_FIRST_STEP = 1 / 500
 """Fraction of the range below which volume takes over."""
 LARGEST_VOLUME_STEP = 0.15
@@ -29,6 +32,8 @@ LARGEST_VOLUME_STEP = 0.15
 SMALLEST_VOLUME_STEP = 1 / 2000
 """Fraction of the cavity's volume below which the path has stalled."""
 MOST_VOLUME_STEPS = 200
+FLAT = 0.02
+"""Rise of pressure with volume, over the first such rise, that counts as a maximum reached."""
 PREDICTOR_STATES = 2
 """States that the prediction extrapolates: linear. A parabola through three was tried and cost more
 iterations wherever the step had grown."""
@@ -63,6 +68,7 @@ class PathFollower:
         self._system, self._solver, self._tolerance = system, solver, tolerance
         self._stop, self._watch = stop, watch
         self._path = Path()
+        self._first_slope: float | None = None
 
     def follow(self, pressure_to: float, report: Sequence[float] | None) -> Path:
         """Path from zero to ``pressure_to`` [Pa]. ``report``: increasing pressures to stop at, the
@@ -73,9 +79,16 @@ class PathFollower:
             return path
         path.points.append(start)
         if pressure_to > 0.0:
-            visited = self._inflate(start, pressure_to, report)
+            visited = self._inflate([start], pressure_to, report)
             path.points = [start, *visited]
         return path
+
+    def resume(
+        self, history: Sequence[Equilibrium], pressure_to: float, report: Sequence[float] | None
+    ) -> Path:
+        """The rest of a path whose last states are ``history``; only new points are returned."""
+        self._path.points = self._inflate(list(history), pressure_to, report)
+        return self._path
 
     def _solve(self, start: State, target: Target) -> Equilibrium | Failure:
         result = solve_equilibrium(
@@ -92,41 +105,62 @@ class PathFollower:
         return why is not None
 
     def _apply_gravity(self) -> Equilibrium | None:
-        """State under its own weight at zero pressure."""
-        state = self._system.rest()
-        done, step = 0.0, 1.0
+        """State under its own weight at zero pressure, in shares small enough to turn by."""
+        rest = self._system.rest()
+        states: list[tuple[float, State]] = [(0.0, rest)]
+        step = self._first_share_of_gravity()
         while True:
-            share = min(1.0, done + step)
-            result = self._solve(state, Target(0.0, gravity=share))
+            done = states[-1][0]
+            share = done + step if done + 1.2 * step < 1.0 else 1.0
+            recent = states[-PREDICTOR_STATES:]
+            weights = _weights([known for known, _ in recent], share)
+            start = _combine([state for _, state in recent], weights)
+            result = self._solve(start, Target(0.0, gravity=share))
             if isinstance(result, Equilibrium):
-                state, done = result.state, share
-                if done == 1.0:
+                if share == 1.0:
                     return result
-                step *= GRAVITY_GROWTH
+                states.append((share, result.state))
+                step = (share - done) * _growth(result.iterations)
             elif self._stopped():
                 return None
             else:
-                step /= 2
-                if step < 1 / 64:
+                step = (share - done) / 2
+                if step < SMALLEST_SHARE_OF_GRAVITY:
                     self._path.outcome = Outcome.STALLED
                     self._path.reason = f"gravity beyond {done:.0%}: {result.reason}"
                     return None
 
+    def _first_share_of_gravity(self) -> float:
+        """Share whose linear answer moves the body by :data:`LARGEST_FIRST_MOVE` of its size."""
+        system = self._system
+        balance = system.linearise(system.rest(), 0.0)
+        self._solver.factorize(system.values)
+        self._path.iterations += 1
+        move = system.expand(self._solver.solve(-system.reduce(balance)), balance)
+        largest = float(np.abs(move.displacement).max())
+        size = float(np.ptp(system.mesh.nodes, axis=0).max())
+        return min(1.0, LARGEST_FIRST_MOVE * size / largest) if largest > 0 else 1.0
+
     def _inflate(
-        self, start: Equilibrium, pressure_to: float, report: Sequence[float] | None
+        self, history: list[Equilibrium], pressure_to: float, report: Sequence[float] | None
     ) -> list[Equilibrium]:
         targets = list(report) if report is not None else None
         visited: list[Equilibrium] = []
-        history = [start]
         step = FIRST_STEP * pressure_to
+        if len(history) > 1:
+            step = history[-1].pressure - history[-2].pressure
         while True:
             last = history[-1]
             goal = targets[0] if targets else pressure_to
-            wanted = last.pressure + min(step, LARGEST_STEP * pressure_to)
+            step = min(step, LARGEST_STEP * pressure_to, _pressure_step(history))
+            wanted = last.pressure + step
             if wanted > goal - 0.2 * step:
                 wanted = goal
             result = self._solve(_predict(history, wanted), Target(wanted))
             if isinstance(result, Equilibrium) and not result.negative_eigenvalues:
+                if self._first_slope is None and result.volume > last.volume:
+                    rise = result.pressure - last.pressure
+                    self._first_slope = rise / (result.volume - last.volume)
                 history = [*history[-2:], result]
                 step = (wanted - last.pressure) * _growth(result.iterations)
                 self._watch(wanted)
@@ -154,6 +188,9 @@ class PathFollower:
         one at ``goal``) or a maximum (then None, with the limit state as last visited)."""
         path = self._path
         trail = history[-3:]
+        if self._first_slope is None and len(trail) > 1:
+            rise = trail[-1].pressure - trail[-2].pressure
+            self._first_slope = rise / (trail[-1].volume - trail[-2].volume)
         step = 0.5 * (trail[-1].volume - trail[-2].volume) if len(trail) > 1 else 0.0
         step = max(step, 0.02 * trail[-1].volume)
         for _ in range(MOST_VOLUME_STEPS):
@@ -167,8 +204,7 @@ class PathFollower:
                     return None
                 step /= 2
                 if step < SMALLEST_VOLUME_STEP * last.volume:
-                    path.outcome = Outcome.STALLED
-                    path.reason = result.reason
+                    self._give_up(trail, result.reason)
                     return None
                 continue
             if result.pressure <= last.pressure:
@@ -190,25 +226,48 @@ class PathFollower:
         path.reason = "the volume grows without the pressure coming to a maximum"
         return None
 
+    def _give_up(self, trail: list[Equilibrium], reason: str) -> None:
+        """Volume control has failed too: a limit point all the same if the pressure had all but
+        stopped rising with the volume."""
+        path = self._path
+        path.outcome, path.reason = Outcome.STALLED, reason
+        if len(trail) < 2 or self._first_slope is None:
+            return
+        last, before = trail[-1], trail[-2]
+        slope = (last.pressure - before.pressure) / (last.volume - before.volume)
+        if slope < FLAT * self._first_slope:
+            path.outcome = Outcome.LIMIT_POINT
+
     def _locate_limit(self, around: list[Equilibrium], visited: list[Equilibrium]) -> None:
         """Solve at the volume where a parabola through the last three states has its maximum."""
         path = self._path
         path.outcome = Outcome.LIMIT_POINT
         path.beyond = around[-1]
-        before = around[-2]
+        top = around[-2]
         if len(around) >= 3:
             volume = _summit(around[-3:])
             guess = _predict_by_volume(around[-2:], volume)
             result = self._solve(guess[0], Target(guess[1], volume=volume))
-            if isinstance(result, Equilibrium) and result.pressure > before.pressure:
-                before = result
-        if not visited or before is not visited[-1]:
-            visited.append(before)
+            if isinstance(result, Equilibrium) and result.pressure > top.pressure:
+                top = result
+        while visited and visited[-1].volume > top.volume:
+            visited.pop()
+        if not visited or top is not visited[-1]:
+            visited.append(top)
 
 
 def _growth(iterations: int) -> float:
     """Next step over this one: easy steps may grow."""
     return {1: 2.0, 2: 1.5, 3: 1.2}.get(iterations, 0.8 if iterations > 5 else 1.0)
+
+
+def _pressure_step(history: Sequence[Equilibrium]) -> float:
+    """Step in pressure for the largest step in volume, by the last slope."""
+    if len(history) < 2:
+        return math.inf
+    last, before = history[-1], history[-2]
+    slope = (last.volume - before.volume) / (last.pressure - before.pressure)
+    return LARGEST_VOLUME_STEP * last.volume / slope if slope > 0 else math.inf
 
 
 def _difference(a: State, b: State) -> State:

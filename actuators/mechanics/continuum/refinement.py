@@ -1,23 +1,31 @@
 """The same path on a finer mesh of the same body, started from the coarser answer."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from actuators.mechanics.continuum.direct_solver import SymmetricSolver
 from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
-from actuators.mechanics.continuum.path import Path
+from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import Outcome
 from actuators.meshing import prolong_nodes, prolong_pressure
 
 NEAR_LIMIT = 0.8
-"""Above this fraction of a limit pressure the volume is prescribed: the finer mesh's own limit may
-lie lower."""
+"""Above this fraction of the pressure at which a path ended early, the finer mesh follows its own:
+its limit may lie lower."""
 UNKNOWNS_TO_SOLVE = 400_000
 """Points times unknowns that the finest mesh solves; further points are corrected by
 interpolation."""
+
+
+@dataclass(eq=False)
+class Anchor:
+    """The last point of the path that both meshes share, on one of them."""
+
+    system: ContinuumSystem
+    found: Equilibrium
 
 
 @dataclass(eq=False)
@@ -30,7 +38,8 @@ class Refined:
 
 
 class Refinement:
-    """Transfer of one path from ``coarse`` to ``fine``, end point first."""
+    """Transfer of one path from ``coarse`` to ``fine``, the last shared point (the anchor) first:
+    the end, or, where the path ended early, the last point well below that."""
 
     def __init__(
         self,
@@ -39,31 +48,43 @@ class Refinement:
         solver: SymmetricSolver,
         path: Path,
         *,
-        tolerance: float = 1e-6,
         stop: Callable[[], Outcome | None] = lambda: None,
         watch: Callable[[float], None] = lambda share: None,
     ) -> None:
         self._fine, self._solver, self._path = fine, solver, path
-        self._tolerance, self._stop, self._watch = tolerance, stop, watch
-        self._starts = [_prolong(coarse, fine, e.state) for e in path.points]
+        self._stop, self._watch = stop, watch
+        self._shared = shared_points(path)
+        self._starts = [_prolong(coarse, fine, e.state) for e in path.points[: self._shared]]
         self.iterations = 0
 
-    def end_point(
-        self, previous: tuple[ContinuumSystem, Equilibrium] | None = None
-    ) -> Equilibrium | None:
-        """The last state of the path on the finer mesh, None where it was not found. ``previous``:
-        a level between the coarse and this one, and its end point, to start from."""
-        start = self._starts[-1]
-        if previous is not None:
-            start = _prolong(previous[0], self._fine, previous[1].state)
-        return self._at(len(self._starts) - 1, start)
+    def anchor(self, previous: Anchor) -> Anchor | None:
+        """The anchor on the finer mesh, started from a coarser one; None where not found."""
+        start = _prolong(previous.system, self._fine, previous.found.state)
+        found = self._at(self._shared - 1, start)
+        return Anchor(self._fine, found) if found is not None else None
 
-    def whole_path(self, end: Equilibrium) -> Refined:
-        """All points, from the end backwards, each started with the correction of the one before
-        it."""
-        count = len(self._starts)
-        points = _choose(count, self._fine.unknowns)
-        found: dict[int, Equilibrium] = {count - 1: end}
+    def beyond(
+        self, anchor: Anchor, pressure_to: float, report: Sequence[float] | None
+    ) -> Path | None:
+        """Points from the anchor to this mesh's own limit; None for a path that reached its end."""
+        if self._path.outcome is Outcome.CONVERGED:
+            return None
+        history = [anchor.found]
+        if self._shared > 1:
+            correction = _minus(anchor.found.state, self._starts[-1])
+            before = self._at(self._shared - 2, self._starts[-2].moved(1.0, correction))
+            history = [before, anchor.found] if before is not None else history
+        follower = PathFollower(self._fine, self._solver, stop=self._stop)
+        left = [p for p in report if p > anchor.found.pressure] if report is not None else None
+        path = follower.resume(history, pressure_to, left)
+        self.iterations += path.iterations
+        return path
+
+    def whole_path(self, anchor: Anchor, rest: Path | None) -> Refined:
+        """All points, from the anchor backwards, each started with the correction of the one
+        before it; then ``rest``."""
+        found: dict[int, Equilibrium] = {self._shared - 1: anchor.found}
+        points = _choose(self._shared, self._fine.unknowns)
         for done, index in enumerate(points[::-1][1:], 1):
             nearest = min(found)
             correction = _minus(found[nearest].state, self._starts[nearest])
@@ -75,40 +96,55 @@ class Refinement:
             if result is not None:
                 found[index] = result
             self._watch(done / len(points))
-        return self._assemble(found)
+        return self._assemble(found, rest)
 
     def _at(self, index: int, start: State) -> Equilibrium | None:
-        known = self._path.points[index]
-        limited = self._path.outcome is Outcome.LIMIT_POINT
-        near = limited and known.pressure > NEAR_LIMIT * self._path.points[-1].pressure
-        volume = known.volume if near else None
         result = solve_equilibrium(
-            self._fine, self._solver, start, Target(known.pressure, volume=volume),
-            tolerance=self._tolerance, cancelled=lambda: self._stop() is not None,
+            self._fine, self._solver, start, Target(self._path.points[index].pressure),
+            cancelled=lambda: self._stop() is not None,
         )  # fmt: skip
         self.iterations += result.iterations
         return result if isinstance(result, Equilibrium) else None
 
-    def _assemble(self, found: dict[int, Equilibrium]) -> Refined:
+    def _assemble(self, found: dict[int, Equilibrium], rest: Path | None) -> Refined:
         known = sorted(found)
         corrections = [_minus(found[i].state, self._starts[i]) for i in known]
-        shifts = [found[i].pressure - self._path.points[i].pressure for i in known]
         at = np.array([self._path.points[i].volume for i in known])
         points: list[Equilibrium] = []
-        for index, coarse in enumerate(self._path.points):
+        for index, coarse in enumerate(self._path.points[: self._shared]):
             if index in found:
                 points.append(found[index])
                 continue
-            weights = _hat_weights(at, coarse.volume)
             state = self._starts[index]
-            for weight, correction in zip(weights, corrections, strict=True):
+            for weight, correction in zip(_hats(at, coarse.volume), corrections, strict=True):
                 if weight != 0.0:
                     state = state.moved(weight, correction)
-            shift = float(np.dot(weights, shifts))
             volume, _ = self._fine.volume(state)
-            points.append(Equilibrium(state, coarse.pressure + shift, volume, 0, None))
-        path = Path(points, self._path.outcome, self._path.reason)
-        return Refined(path, len(known))
+            points.append(Equilibrium(state, coarse.pressure, volume, 0, None))
+        if rest is None:
+            return Refined(Path(points, self._path.outcome, self._path.reason), len(known))
+        points += rest.points
+        return Refined(Path(points, rest.outcome, rest.reason), len(known) + len(rest.points))
+
+
+def shared_points(path: Path) -> int:
+    """Number of points that every mesh can be expected to have."""
+    if path.outcome is Outcome.CONVERGED:
+        return len(path.points)
+    limit = path.points[-1].pressure
+    return max(1, sum(e.pressure <= NEAR_LIMIT * limit for e in path.points))
+
+
+def difference(before: Anchor, after: Anchor, limits: tuple[float, float] | None) -> float:
+    """Difference of the tip's displacement at the anchor over its size, or of the two limit
+    pressures over the later one, whichever is larger."""
+    old = before.found.state.displacement[before.system.mesh.underside_line[-1]]
+    new = after.found.state.displacement[after.system.mesh.underside_line[-1]]
+    size = float(np.linalg.norm(new))
+    change = float(np.linalg.norm(new - old)) / size if size > 0 else 0.0
+    if limits is not None:
+        change = max(change, abs(limits[1] - limits[0]) / limits[1])
+    return change
 
 
 def _prolong(coarse: ContinuumSystem, fine: ContinuumSystem, state: State) -> State:
@@ -126,24 +162,10 @@ def _choose(count: int, unknowns: int) -> list[int]:
     return sorted({round(i) for i in np.linspace(0, count - 1, affordable)})
 
 
-def _hat_weights(at: np.ndarray, where: float) -> np.ndarray:
+def _hats(at: np.ndarray, where: float) -> np.ndarray:
     """Weights of piecewise linear interpolation at ``where`` between increasing ``at``."""
     return np.array([np.interp(where, at, row) for row in np.eye(len(at))])
 
 
 def _minus(a: State, b: State) -> State:
     return State(a.displacement - b.displacement, a.pressure - b.pressure)
-
-
-def tip_difference(
-    coarse: ContinuumSystem, fine: ContinuumSystem, a: Equilibrium, b: Equilibrium
-) -> float:
-    """Difference of the tip's displacement over its size; of the pressure, where the volume was
-    prescribed, if that is larger."""
-    before = a.state.displacement[coarse.mesh.underside_line[-1]]
-    after = b.state.displacement[fine.mesh.underside_line[-1]]
-    size = float(np.linalg.norm(after))
-    change = float(np.linalg.norm(after - before)) / size if size > 0 else 0.0
-    if b.pressure > 0:
-        change = max(change, abs(b.pressure - a.pressure) / b.pressure)
-    return change
