@@ -133,11 +133,10 @@ def _closed_form(design: Design, scene: Scene, pressures: np.ndarray, begun: flo
     start, pitch = pitch_starts(design)
     row_end = min(start[-1] + pitch, design.length)
     borders = np.concatenate([np.maximum(start, 0.0), [row_end]])
-    turn = rates * pitch
-    if borders[0] > 0:
-        borders, turn = np.concatenate([[0.0], borders]), np.concatenate([[0.0], turn])
-    if row_end < design.length:
-        borders, turn = np.append(borders, design.length), np.append(turn, 0.0)
+    ends = (int(borders[0] > 0), int(row_end < design.length))
+    borders = np.concatenate([[0.0] * ends[0], borders, [design.length] * ends[1]])
+    turn = np.pad(rates * pitch, ends)
+    chambered = np.pad(np.ones(len(rates), dtype=bool), ends)
     length = np.diff(borders)
     strains = np.zeros((len(pressures), len(length), 4))
     strains[:, :, 2] = np.outer(pressures, turn / length)
@@ -148,7 +147,7 @@ def _closed_form(design: Design, scene: Scene, pressures: np.ndarray, begun: flo
         scene=scene,
         rung="closed-form",
         outcome=Outcome.CONVERGED,
-        path=path_points(path, length, turn != 0, pressures, None),
+        path=path_points(path, length, chambered, pressures, None),
         centreline=centreline(path, length),
         wall_s=ended - begun,
         effects=closed_form_effects(scene),

@@ -46,6 +46,7 @@ def rod_of(design: Design, row: ChamberRow, free: np.ndarray, *, finest: int = F
     stiffness = [d / w for d, w in zip(row.stiffness, whole, strict=True)]
     mass = list(row.line_mass)
     height = list(row.mass_height)
+    chambered = [True] * len(spans)
     solid = [(0.0, float(begin[0])), (float(end[-1]), design.length)]
     kept = [span for span in solid if span[1] - span[0] > 1e-9]
     for left, right in kept:
@@ -53,6 +54,7 @@ def rod_of(design: Design, row: ChamberRow, free: np.ndarray, *, finest: int = F
         at = 0 if left == 0.0 else len(spans)
         spans.insert(at, (left, right))
         frees.insert(at, np.zeros(4))
+        chambered.insert(at, False)
         stiffness.insert(at, section)
         mass.insert(at, line_mass)
         height.insert(at, centre)
@@ -69,7 +71,7 @@ def rod_of(design: Design, row: ChamberRow, free: np.ndarray, *, finest: int = F
         bending=np.repeat(rigid, parts, axis=0),
         mass=per_length * length,
         mass_height=np.repeat(np.array(height), parts),
-        chambered=np.repeat([np.any(f != 0) for f in frees], parts),
+        chambered=np.repeat(chambered, parts),
     )
 
 
