@@ -5,6 +5,7 @@ that is not ours is refused (DNS rebinding), and so is every unsafe request and 
 whose Origin is not the address it was sent to.
 """
 
+import ipaddress
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -35,6 +36,7 @@ class Guard:
     def __init__(self, app: ASGIApp, host_names: tuple[str, ...]) -> None:
         self.app = app
         self.host_names = frozenset(name.lower() for name in host_names)
+        self.embedded = "localhost" in self.host_names
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -55,10 +57,13 @@ class Guard:
         else:
             await self.app(scope, receive, answer)
 
+    def _is_ours(self, name: str) -> bool:
+        return name in self.host_names or (self.embedded and _is_loopback(name))
+
     def _refusal(self, scope: Scope) -> str:
         headers = Headers(scope=scope)
         host = headers.get("host", "")
-        if _host_name(host) not in self.host_names:
+        if not self._is_ours(_host_name(host)):
             return "The studio does not answer under this host name."
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return ""
@@ -68,6 +73,14 @@ class Guard:
         if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
             return "A page of another site may not use the studio."
         return ""
+
+
+def _is_loopback(name: str) -> bool:
+    """An address of this machine itself; no name server can make another name look like it."""
+    try:
+        return ipaddress.ip_address(name).is_loopback
+    except ValueError:
+        return False
 
 
 def is_own_origin(origin: str, host: str) -> bool:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from starlette.exceptions import HTTPException
 
 from actuators.errors import InputError
-from storage.errors import NotFoundError
+from storage import NotFoundError, StoreAway
 
 
 class ProblemDetail(BaseModel):
@@ -68,6 +68,9 @@ def install(app: FastAPI) -> None:
             raise error
         return problem(503, str(error), mend=error.mend)
 
+    def on_store_away(_: Request, __: Exception) -> JSONResponse:
+        return problem(503, "The studio's database does not answer.", mend="Try again in a moment.")
+
     def on_http(request: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, HTTPException):
             raise error
@@ -91,6 +94,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(InputError, on_input)
     app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(Busy, on_busy)
+    app.add_exception_handler(StoreAway, on_store_away)
     app.add_exception_handler(HTTPException, on_http)
     app.add_exception_handler(Exception, on_crash)
 

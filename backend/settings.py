@@ -8,7 +8,8 @@ from pathlib import Path
 
 from storage.deployment import Deployment, deployment
 
-LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
+LOOPBACK_NAMES = ("localhost",)
+"""Names of the embedded studio; loopback addresses are served besides."""
 BUILT_PAGE = Path(__file__).resolve().parent.parent / "frontend" / "dist"
 
 

@@ -1,6 +1,8 @@
 """From an answer to a film: the points of a drawn skin at every pressure, and values on them."""
 
 import json
+import threading
+from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -38,6 +40,27 @@ class Film:
     points: np.ndarray
     values: dict[Colour, np.ndarray]
     pressures: np.ndarray
+
+
+class Shelf:
+    """The films of the stored answers shown last: another colour needs no second reading."""
+
+    def __init__(self, most: int = 4) -> None:
+        self._films: OrderedDict[str, Film] = OrderedDict()
+        self._lock = threading.Lock()
+        self._most = most
+
+    def film(self, sha256: str, read: Callable[[], Film]) -> Film:
+        """The film of an artifact, read when it is not on the shelf."""
+        with self._lock:
+            found = self._films.get(sha256)
+        film = found or read()
+        with self._lock:
+            self._films[sha256] = film
+            self._films.move_to_end(sha256)
+            while len(self._films) > self._most:
+                self._films.popitem(last=False)
+        return film
 
 
 def instant_film(design: Design, scene: Scene, stamp: Callable[[str], None]) -> Film:

@@ -87,7 +87,7 @@ def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
         return np.zeros(film.points.shape[:2], dtype=np.float32), None
     scale = _SCALES[colour]
     values = film.values[colour].astype(np.float32) / np.float32(scale.unit_si)
-    label, lower = scale.label, 1.0 if colour == "stretch" else 0.0
+    lower = 1.0 if colour == "stretch" else 0.0
     if colour == "displacement":
         upper = float(values.max())
     else:
@@ -97,9 +97,13 @@ def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
     if not upper > lower:
         upper = lower + 1e-3
     legend = Legend(
-        label=label, unit=scale.unit, lower=float(f"{lower:.4g}"), upper=float(f"{upper:.4g}"),
+        label=scale.label,
+        unit=scale.unit,
+        lower=float(f"{lower:.4g}"),
+        upper=float(f"{upper:.4g}"),
+        clipped=bool(values.max() > 1.001 * upper),
         stops=colour_maps.stops(scale.map_name),
-    )  # fmt: skip
+    )
     return np.clip((values - lower) / (upper - lower), 0.0, 1.0), legend
 
 

@@ -7,6 +7,7 @@ import threading
 import time
 
 from backend.problems import Busy
+from backend.viewer.film import Shelf
 from backend.viewer.room import Room
 from storage import NotFoundError
 
@@ -22,6 +23,7 @@ class RoomKeeper:
     """Opens, finds and closes rooms. Methods block; call them in a thread from async code."""
 
     def __init__(self, *, most: int = MOST_ROOMS, idle_s: float = IDLE_S) -> None:
+        self.shelf = Shelf()
         self._rooms: dict[str, Room] = {}
         self._lock = threading.Lock()
         self._most = most

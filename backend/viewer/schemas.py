@@ -57,6 +57,9 @@ class Legend(Answer):
     unit: str
     lower: float = Field(description="Value at position 0, in `unit`")
     upper: float = Field(description="Value at position 1, in `unit`")
+    clipped: bool = Field(
+        description="Whether a few values lie beyond the scale and take the colour of its end"
+    )
     stops: list[tuple[float, str]] = Field(description="[position 0..1, '#rrggbb']")
 
 

@@ -5,7 +5,7 @@ import secrets
 from fastapi import Request, Response
 
 from backend.designs.question import read_design, read_scene
-from backend.viewer.film import Film, instant_film, stored_film
+from backend.viewer.film import Film, Shelf, instant_film, stored_film
 from backend.viewer.picture import picture
 from backend.viewer.room import Room
 from backend.viewer.rooms import RoomKeeper
@@ -45,7 +45,7 @@ def show(
     stages: dict[str, float] = {}
     stamp = milliseconds(stages)
     if isinstance(body.source, JobSource):
-        film = _job_film(store, body.source.job_id)
+        film = _job_film(store, rooms.shelf, body.source.job_id)
         stamp("load")
     else:
         design, scene = read_design(body.source.design), read_scene(body.source.scene)
@@ -92,13 +92,15 @@ def _own(rooms: RoomKeeper, view_id: str, request: Request) -> Room:
     return rooms.find(view_id, request.cookies.get(SESSION_COOKIE))
 
 
-def _job_film(store: Store, job_id: str) -> Film:
+def _job_film(store: Store, shelf: Shelf, job_id: str) -> Film:
     job = store.get_job(job_id)
     if job.state != "done":
         raise NotFoundError("result of job", job_id)
     result = store.get_result(job.digest)
-    if result.artifact_sha256 is None:
+    sha256 = result.artifact_sha256
+    if sha256 is None:
         raise NotFoundError("surface of job", job_id)
-    return stored_film(
-        store.get_artifact(result.artifact_sha256), read_design(result.document["design"])
+    return shelf.film(
+        sha256,
+        lambda: stored_film(store.get_artifact(sha256), read_design(result.document["design"])),
     )

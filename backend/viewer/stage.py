@@ -97,7 +97,7 @@ class Stage:
             fade_strength=1.0,
         )  # fmt: skip
         scene.add_label(
-            "/scale", f"grid {section:g} mm", position=(section, -reach / 2, floor),
+            "/scale", f"grid {section:g} mm", position=(-section, 0.0, floor),
             font_screen_scale=0.8, anchor="center-center",
         )  # fmt: skip
         (low_y, low_z), (high_y, high_z) = np.array(clamp).reshape(2, 2)

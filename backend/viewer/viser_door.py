@@ -57,6 +57,12 @@ class GuardedServer:
         buffer = self._sockets._broadcast_buffer  # pyright: ignore[reportPrivateUsage]
         return len(buffer.message_from_id)
 
+    @property
+    def handled_messages(self) -> list[str]:
+        """Kinds of messages from pages that anything here listens to."""
+        handlers = self._sockets._incoming_handlers  # pyright: ignore[reportPrivateUsage]
+        return [kind.__name__ for kind in handlers]
+
     async def _admit(self, client: viser.infra.WebsockClientConnection) -> None:
         live = self._sockets._live_connections  # pyright: ignore[reportPrivateUsage]
         connection = live[client.client_id]

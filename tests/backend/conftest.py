@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,7 +30,7 @@ def settings_in(folder: Path, **more: str) -> Settings:
 
 
 @contextmanager
-def client_on(settings: Settings) -> Iterator[TestClient]:
+def client_on(settings: Settings) -> Generator[TestClient]:
     with TestClient(
         create_app(settings), base_url="http://localhost", raise_server_exceptions=False
     ) as client:
@@ -58,7 +58,7 @@ class Served:
 
 
 @contextmanager
-def served_on(settings: Settings) -> Iterator[Served]:
+def served_on(settings: Settings) -> Generator[Served]:
     app = create_app(settings)
     config = uvicorn.Config(
         app, host="127.0.0.1", port=0, log_level="warning", ws_per_message_deflate=False,

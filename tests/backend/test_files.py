@@ -35,7 +35,9 @@ def test_files_of_a_slab_are_named_after_the_design(client: TestClient, store: S
     assert (unchanged.status_code, unchanged.content) == (304, b"")
 
 
-def test_a_result_comes_as_json_and_as_one_line_per_pressure(client, store: Store) -> None:
+def test_a_result_comes_as_json_and_as_one_line_per_pressure(
+    client: TestClient, store: Store
+) -> None:
     version = saved(client, "Result", {**SLAB, "length_mm": 93})
     job = client.post("/api/jobs", json={"version_id": version["id"]}).json()
     solve(store, job["id"])

@@ -23,7 +23,9 @@ def test_a_foreign_host_name_gets_nothing(client: TestClient, host: str, path: s
     assert answer.json()["detail"]["message"]
 
 
-@pytest.mark.parametrize("host", ["localhost", "localhost:8000", "127.0.0.1:9", "[::1]:8000"])
+@pytest.mark.parametrize(
+    "host", ["localhost", "localhost:8000", "127.0.0.1:9", "[::1]:8000", "127.0.0.5:80"]
+)
 def test_loopback_names_are_answered(client: TestClient, host: str) -> None:
     assert client.get("/api/families", headers={"host": host}).status_code == 200
 
@@ -59,7 +61,9 @@ def test_an_origin_is_own_only_on_the_same_port() -> None:
 
 @pytest.mark.parametrize("path", ["/api/live", "/viewer/x", "/viewer/x/"])
 @pytest.mark.parametrize("headers", [{"origin": EVIL}, {"host": "evil.example"}])
-def test_websockets_of_foreign_pages_are_refused(client, path: str, headers) -> None:
+def test_websockets_of_foreign_pages_are_refused(
+    client: TestClient, path: str, headers: dict[str, str]
+) -> None:
     address = f"ws://localhost{path}"
     with pytest.raises(WebSocketDisconnect), client.websocket_connect(address, headers=headers):
         pass

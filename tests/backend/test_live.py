@@ -64,7 +64,8 @@ def test_scripts_read_server_sent_events(served: Served) -> None:
         lines = stream.iter_lines()
         assert next(lines).startswith("id: ")
         assert next(lines) == "event: hello"
-        next(lines), next(lines)
+        assert next(lines).startswith("data: ")
+        assert next(lines) == ""
         body = {"name": "Script", "design": SLAB, "scene": SCENE}
         httpx.post(f"{served.base}/api/designs", json=body).raise_for_status()
         next(lines)

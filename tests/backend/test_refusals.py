@@ -81,7 +81,7 @@ def test_an_impossible_design_is_refused_by_name_at_every_door(
         {"pressure_kPa": {"to": 30}, "plate": {}}, {"volume_ml": {"to": 3}},
     ],
 )  # fmt: skip
-def test_a_scene_that_cannot_be_computed_is_refused(client: TestClient, scene) -> None:
+def test_a_scene_that_cannot_be_computed_is_refused(client: TestClient, scene: Any) -> None:
     answer = client.post("/api/predict", json={"design": SLAB, "scene": scene})
     assert answer.status_code == 422, answer.text
     assert detail(answer)["field"]
@@ -141,7 +141,9 @@ def test_a_body_that_is_not_json_is_refused(client: TestClient) -> None:
         ("GET", "/api/jobs/" + "x" * 5000, None),
     ],
 )
-def test_what_is_not_there_is_404_in_the_same_form(client, method: str, path: str, body) -> None:
+def test_what_is_not_there_is_404_in_the_same_form(
+    client: TestClient, method: str, path: str, body: Any
+) -> None:
     answer = client.request(method, path, json=body)
     assert answer.status_code == 404, answer.text
     detail(answer)
@@ -164,14 +166,18 @@ def test_what_is_not_there_is_404_in_the_same_form(client, method: str, path: st
         ("GET", "/api/compare?left=a", None),
     ],
 )
-def test_wrong_requests_are_422_in_the_same_form(client, method: str, path: str, body) -> None:
+def test_wrong_requests_are_422_in_the_same_form(
+    client: TestClient, method: str, path: str, body: Any
+) -> None:
     answer = client.request(method, path, json=body)
     assert answer.status_code == 422, answer.text
     assert detail(answer)["field"]
 
 
 @pytest.mark.parametrize("accuracy", [0, -1, 2, "high", None])
-def test_a_job_with_an_impossible_accuracy_is_refused(client, store: Store, accuracy) -> None:
+def test_a_job_with_an_impossible_accuracy_is_refused(
+    client: TestClient, store: Store, accuracy: Any
+) -> None:
     version = saved(client)["id"]
     before = count(store)
     answer = client.post("/api/jobs", json={"version_id": version, "accuracy": accuracy})
@@ -204,7 +210,9 @@ DOORS = ["/api/designs/check", "/api/predict", "/api/designs", "/api/jobs", "/ap
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )  # fmt: skip
 @given(st.sampled_from(DOORS), st.data())
-def test_no_body_whatever_crashes_the_api(client: TestClient, door: str, data) -> None:
+def test_no_body_whatever_crashes_the_api(
+    client: TestClient, door: str, data: st.DataObject
+) -> None:
     design = {**SLAB, **data.draw(st.dictionaries(st.sampled_from(list(SLAB)), ANYTHING))}
     scene = data.draw(st.just(SCENE) | ANYTHING)
     body = data.draw(

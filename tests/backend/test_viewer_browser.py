@@ -2,6 +2,7 @@
 
 import io
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +49,7 @@ pytestmark = [
 
 
 @pytest.fixture(scope="module")
-def browser():
+def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
         opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
         yield opened
@@ -87,7 +88,7 @@ class Studio:
 
 
 @pytest.fixture(scope="module")
-def studio(browser: Browser, served: Served):
+def studio(browser: Browser, served: Served) -> Iterator[Studio]:
     context = browser.new_context(viewport={"width": 500, "height": 400})
     yield Studio(context, served.base)
     context.close()

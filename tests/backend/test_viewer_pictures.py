@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from actuators.design import parse_design, preset
+from actuators.design import Design, parse_design, preset
 from actuators.geometry import build_body
 from actuators.geometry.surface import body_surface
 from actuators.mechanics.predict import predict
@@ -25,10 +25,6 @@ PRESETS = ["slab-rectangle-low", "slab-ellipse-high", "oblique-15", "oblique-45"
 
 def no_stamp(_: str) -> None:
     return None
-
-
-def rod(design, positions: np.ndarray, frames: np.ndarray) -> Centreline:
-    return Centreline(np.linspace(0, design.length, positions.shape[1]), positions, frames)
 
 
 def test_a_box_keeps_its_twelve_edges_and_24_corners_sharp() -> None:
@@ -130,7 +126,7 @@ def test_the_legend_spans_what_is_shown() -> None:
     assert shown.bodies.undeformed is None
 
 
-def stored(design, *, half: bool) -> bytes:
+def stored(design: Design, *, half: bool) -> bytes:
     """A response with fields on the surface: the body stretched along X1 by the pressure."""
     body = build_body(design)
     surface = body_surface(body.half() if half else body)
