@@ -229,6 +229,18 @@ def _balance(strain: np.ndarray, free: np.ndarray, law: Law) -> tuple[int, bool]
 
 
 @nb.njit(cache=True)
+def _hang(strain: np.ndarray, law: Law) -> None:
+    """Strains (s, 4) of a rod that turns down at the clamp and hangs straight: where to begin when
+    the rod is so heavy for its stiffness that the straight one leads nowhere."""
+    strain[:, :] = 0.0
+    across = math.hypot(law.gravity[1], law.gravity[2])
+    if across > 0:
+        angle = math.atan2(across, law.gravity[0])
+        bend = angle / (across * law.length[0])
+        strain[0, 2], strain[0, 3] = -law.gravity[2] * bend, law.gravity[1] * bend
+
+
+@nb.njit(cache=True)
 def follow(
     pressures: np.ndarray, per_pressure: np.ndarray, law: Law
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int, int]:
@@ -249,6 +261,10 @@ def follow(
                 strains[n, i, a] = free[i, a] + ahead
         count, found = _balance(strains[n], free, law)
         total += count
+        if not found:
+            _hang(strains[n], law)
+            count, found = _balance(strains[n], free, law)
+            total += count
         parts = 4
         while not found and parts <= 64:
             strains[n] = free
