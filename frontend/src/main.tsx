@@ -5,6 +5,7 @@ import { createRoot } from "react-dom/client";
 import { connectLive } from "./api/live";
 import { families, materials, presets, queryClient } from "./api/queries";
 import { Studio } from "./app/Studio";
+import { announceJobs } from "./jobs/announce";
 import { followBench } from "./workbench/answers";
 import "./theme/tokens.css";
 import "./theme/base.css";
@@ -20,6 +21,7 @@ void Promise.allSettled(early);
 
 connectLive();
 followBench();
+announceJobs();
 
 createRoot(root).render(
   <StrictMode>

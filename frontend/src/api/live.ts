@@ -22,9 +22,16 @@ export function withJob(jobs: readonly Job[] | undefined, job: Job): Job[] {
   return index < 0 ? [job, ...rest] : rest.with(index, job);
 }
 
+const FINAL = new Set<Job["state"]>(["done", "failed", "cancelled"]);
+
+/** Called with every job that ends while this tab looks on. */
+export const onJobEnd = new Set<(job: Job) => void>();
+
 function onJob(job: Job): void {
+  const before = queryClient.getQueryData<Job[]>(keys.jobs)?.find((other) => other.id === job.id);
   queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
-  if (job.state === "done" || job.state === "failed" || job.state === "cancelled") {
+  if (FINAL.has(job.state)) {
+    if (before && !FINAL.has(before.state)) for (const listener of onJobEnd) listener(job);
     void queryClient.invalidateQueries({ queryKey: keys.version(job.version_id) });
     void queryClient.invalidateQueries({ queryKey: keys.designs });
     void queryClient.invalidateQueries({ queryKey: ["compare"] });

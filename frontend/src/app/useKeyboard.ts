@@ -31,6 +31,14 @@ function step(by: number): void {
   scrubToFrame(next);
 }
 
+const SINGLE: Record<string, () => void> = {
+  " ": togglePlay,
+  h: () => layer.set("history"),
+  "?": () => layer.set("keys"),
+  ",": () => step(-1),
+  ".": () => step(1),
+};
+
 function onKey(event: KeyboardEvent): void {
   const command = event.ctrlKey || event.metaKey;
   const key = event.key.toLowerCase();
@@ -47,13 +55,11 @@ function onKey(event: KeyboardEvent): void {
     return;
   }
   if (command || event.altKey || isTyping(event.target)) return;
-  if (key === " " && !takesSpace(event.target)) {
-    event.preventDefault();
-    togglePlay();
-  } else if (key === "h") layer.set("history");
-  else if (key === "?") layer.set("keys");
-  else if (key === ",") step(-1);
-  else if (key === ".") step(1);
+  const act = SINGLE[key];
+  if (!act || (key === " " && takesSpace(event.target))) return;
+  // Or the letter that opens a layer would be typed into its first field.
+  event.preventDefault();
+  act();
 }
 
 export function useKeyboard(): void {

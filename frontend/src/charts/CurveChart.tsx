@@ -51,6 +51,7 @@ export function CurveChart(props: CurveChartProps) {
 
   useLayoutEffect(() => {
     plot.current?.setSize({ width: size.width, height: size.height });
+    plot.current?.setData(EMPTY);
   }, [size, ready, theme]);
 
   useLayoutEffect(() => {
@@ -72,10 +73,12 @@ export function CurveChart(props: CurveChartProps) {
 const EMPTY = [null, [[], []]] as unknown as uPlot.AlignedData;
 
 function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string): uPlot {
-  const ranges = (u: uPlot) => {
+  const ranges = () => {
     const { curves, equal } = props();
     if (!equal) return freeRanges(curves);
-    return equalRanges(curves, u.width - SPACE.left - SPACE.right, u.height - SPACE.top - SPACE.bottom);
+    // Of the host: the plot asks for its ranges before it knows its own size.
+    const { clientWidth, clientHeight } = host;
+    return equalRanges(curves, clientWidth - SPACE.left - SPACE.right, clientHeight - SPACE.top - SPACE.bottom);
   };
   const plot = new uPlot(
     {
@@ -88,8 +91,8 @@ function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string)
       legend: { show: false },
       cursor: { show: false },
       scales: {
-        x: { time: false, range: (u) => ranges(u).x },
-        y: { range: (u) => ranges(u).y },
+        x: { time: false, range: () => ranges().x },
+        y: { range: () => ranges().y },
       },
       series: [{}, { paths: () => null, points: { show: false } }] as uPlot.Series[],
       axes: axesOf(xTitle),

@@ -41,10 +41,11 @@ type Quantity = (point: PathPoint) => number | null | undefined;
  * does not know the quantity. */
 export function valueAt(result: Result, pressure: number, quantity: Quantity): number | null {
   const path = result.path;
+  const exact = path.find((point) => point.pressure_kPa !== null && Math.abs(point.pressure_kPa - pressure) < 1e-9);
+  if (exact) return quantity(exact) ?? null;
   for (let index = 0; index < path.length; index++) {
     const point = path[index];
     if (!point || point.pressure_kPa === null) continue;
-    if (Math.abs(point.pressure_kPa - pressure) < 1e-9) return quantity(point) ?? null;
     const next = path[index + 1];
     if (!next || next.pressure_kPa === null) continue;
     if ((pressure - point.pressure_kPa) * (pressure - next.pressure_kPa) > 0) continue;

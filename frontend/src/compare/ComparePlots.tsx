@@ -39,7 +39,7 @@ export function ComparePlots({ comparison }: { comparison: Comparison }) {
       </div>
       <CurveChart
         curves={angle}
-        xTitle="Pressure (kPa)"
+        xTitle="p (kPa)"
         marked={null}
         label="Bending angle of both versions over pressure"
         testId="compare-angle"

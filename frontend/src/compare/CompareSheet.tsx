@@ -68,7 +68,7 @@ function SideHead({ side, which, other }: SideHeadProps) {
     goTo({ ...address.get(), compare: which === "left" ? [id, other] : [other, id] }, "replace");
   };
   return (
-    <div className={`compare-side ${which}`} aria-busy={isFetching}>
+    <div className={`compare-side ${which === "left" ? "first" : "second"}`} aria-busy={isFetching}>
       <strong>{shown.design_name}</strong>
       <select
         className="select"

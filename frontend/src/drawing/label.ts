@@ -8,6 +8,8 @@ interface Label {
 
 const CLEAR = 14;
 const HALF = 8.5;
+/** Past an arrow that stands outside. */
+const BEYOND = 24;
 
 function clamp(value: number, low: number, high: number): number {
   return Math.min(Math.max(value, low), Math.max(low, high));
@@ -26,13 +28,23 @@ export function placeLabel(
   const x = (from[0] + to[0]) / 2;
   const y = (from[1] + to[1]) / 2;
   const upright = Math.abs(to[1] - from[1]) > Math.abs(to[0] - from[0]);
-  const across = upright ? width / 2 + 8 : 0;
-  const up = !upright && (body === null || body[1] >= y - 1) && y - CLEAR - HALF >= 1;
-  const left = (body !== null && body[0] > x + 1) || x + across + width / 2 > bounds.width - 2;
-  const besideX = left && x - across - width / 2 > 0 ? x - across : x + across;
-  return {
-    x: clamp(upright ? besideX : x, width / 2 + 2, bounds.width - width / 2 - 2),
-    y: clamp(upright ? y : up ? y - CLEAR : y + CLEAR, HALF + 1, bounds.height - HALF - 1),
+  const inside = (at: { x: number; y: number }): Label => ({
+    x: clamp(at.x, width / 2 + 2, bounds.width - width / 2 - 2),
+    y: clamp(at.y, HALF + 1, bounds.height - HALF - 1),
     width,
-  };
+  });
+  if (!upright) {
+    const up = (body === null || body[1] >= y - 1) && y - CLEAR - HALF >= 1;
+    return inside({ x, y: up ? y - CLEAR : y + CLEAR });
+  }
+  const across = width / 2 + 8;
+  const roomLeft = x - across - width / 2 > 0;
+  const roomRight = x + across + width / 2 < bounds.width;
+  const bodyRight = body !== null && body[0] > x + 1;
+  if (bodyRight ? roomLeft : !roomRight && roomLeft) return inside({ x: x - across, y });
+  if (!bodyRight && roomRight) return inside({ x: x + across, y });
+  // No room at its side: below the lower arrow, or above the upper one.
+  const low = Math.max(from[1], to[1]) + BEYOND;
+  const fits = low + HALF + 1 < bounds.height;
+  return inside({ x, y: fits ? low : Math.min(from[1], to[1]) - BEYOND });
 }

@@ -21,7 +21,8 @@ export interface Layout {
 
 export type Pixel = readonly [number, number];
 
-const MARGIN = { side: 6, top: 4, between: 2, bottom: 4 };
+/** Left of the body stand the names of the views and the values of the layers. */
+const MARGIN = { left: 34, right: 8, top: 4, between: 2, bottom: 4 };
 
 function edges(view: DrawingView): { left: number; bottom: number; right: number; top: number } {
   const [left = 0, bottom = 0, right = 0, top = 0] = view.bounds;
@@ -37,9 +38,9 @@ export function layOut(drawing: Drawing, width: number, height: number): Layout 
   const gaps = MARGIN.top + MARGIN.bottom + MARGIN.between;
   const scale = Math.max(
     1e-3,
-    Math.min((width - 2 * MARGIN.side) / Math.max(right - left, 1e-6), (height - gaps) / Math.max(upright, 1e-6)),
+    Math.min((width - MARGIN.left - MARGIN.right) / Math.max(right - left, 1e-6), (height - gaps) / Math.max(upright, 1e-6)),
   );
-  const x0 = (width - (right - left) * scale) / 2 - left * scale;
+  const x0 = (width + MARGIN.left - MARGIN.right - (right - left) * scale) / 2 - left * scale;
   let top = MARGIN.top + Math.max(0, (height - gaps - upright * scale) / 2);
   const views = all.map((each) => {
     const placed: PlacedView = {

@@ -40,7 +40,7 @@ export function HistoryDrawer() {
             type="search"
             placeholder="Search designs"
             value={search}
-            autoFocus
+            data-autofocus
             aria-label="Search designs"
             data-testid="history-search"
             onChange={(event) => setSearch(event.currentTarget.value)}
@@ -68,11 +68,11 @@ export function HistoryDrawer() {
             {!search && !archived && "Save what is on the bench with Ctrl+S, and it appears here."}
           </Empty>
         )}
-        {query.data?.map((design) => (
+        {query.data?.map((design, index) => (
           <DesignItem
             key={design.id}
             design={design}
-            initiallyOpen={design.id === openDesign || query.data.length === 1}
+            initiallyOpen={design.id === openDesign || (openDesign === null && index === 0)}
             picked={picked}
             onPick={pick}
           />

@@ -53,21 +53,25 @@ export function JobRow({ job, here, shown }: JobRowProps) {
           {job.design_name}
         </button>
       </td>
-      <td className="muted">
+      <td className="job-question muted">
         {percent(job.accuracy)}, {reached(job)}
       </td>
-      <td className="job-progress">
-        {active ? (
-          <progress value={job.fraction} max={1} aria-label={`Progress of ${job.design_name}`} />
-        ) : (
-          <span className="job-sentence" title={sentence}>
+      {active ? (
+        <>
+          <td className="job-progress">
+            <progress value={job.fraction} max={1} aria-label={`Progress of ${job.design_name}`} />
+          </td>
+          <td className="job-message muted" title={sentence}>
+            {sentence}
+          </td>
+        </>
+      ) : (
+        <td className="job-progress" colSpan={2}>
+          <span className="job-sentence" title={sentence} data-testid={`reason-${job.id}`}>
             {sentence}
           </span>
-        )}
-      </td>
-      <td className="job-message muted" title={active ? sentence : ""}>
-        {active && sentence}
-      </td>
+        </td>
+      )}
       <td className="job-elapsed">{elapsed === null ? "" : formatSeconds(elapsed)}</td>
       <td className="job-tools">
         {active && <CancelButton job={job} />}

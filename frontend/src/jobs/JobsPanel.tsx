@@ -76,6 +76,11 @@ function JobTable({ jobs, versionId }: { jobs: readonly Job[]; versionId: string
   const shown = useShownJob();
   return (
     <table className="job-table">
+      <colgroup>
+        {["state", "name", "question", "progress", "message", "time", "tools"].map((name) => (
+          <col key={name} className={`${name}-column`} />
+        ))}
+      </colgroup>
       <thead className="visually-hidden">
         <tr>
           <th>State</th>

@@ -12,6 +12,7 @@ import { familyOf, type DesignDocument, type Work } from "../workbench/document"
 import { bench, setParameters } from "../workbench/workbench";
 import { densityOf, densityValues } from "./density";
 import { ParameterRow } from "./ParameterRow";
+import { Problem } from "./Problem";
 import { isRelevant } from "./relevance";
 import { SceneGroup } from "./SceneGroup";
 
@@ -37,7 +38,7 @@ export function ParameterPanel() {
     <div className="parameters" data-testid="parameters">
       {problem && !isPlaced(problem, parameters) && (
         <Notice tone="bad" testId="problem-general">
-          {problem.message} {!problem.message.includes(problem.mend) && <strong>{problem.mend}</strong>}
+          <Problem id="problem-general" problem={problem} name="design" />
         </Notice>
       )}
       <SceneGroup work={work} baseline={baseline} problem={problem && isScene(problem) ? problem : null} />

@@ -9,6 +9,7 @@ import { focusOn, hover } from "./attention";
 import { ChoiceControl } from "./ChoiceControl";
 import { MaterialControl } from "./MaterialControl";
 import { NumberControl } from "./NumberControl";
+import { Problem } from "./Problem";
 
 interface RowProps {
   parameter: Parameter;
@@ -73,15 +74,5 @@ function controlOf({ parameter, value, opened, problem }: RowProps, describedBy:
       invalid={problem !== null}
       describedBy={describedBy}
     />
-  );
-}
-
-export function Problem({ id, problem, name }: { id: string; problem: ProblemDetail; name: string }) {
-  const inMessage = problem.mend !== "" && problem.message.includes(problem.mend);
-  return (
-    <p className="parameter-problem" id={id} role="alert" data-testid={`problem-${name}`}>
-      {problem.message}
-      {problem.mend && !inMessage && <strong> {problem.mend}</strong>}
-    </p>
   );
 }

@@ -5,7 +5,7 @@ import { Segmented } from "../ui/Segmented";
 import { Slider } from "../ui/Slider";
 import type { Work } from "../workbench/document";
 import { endGesture, setGravity, setPressureTo } from "../workbench/workbench";
-import { Problem } from "./ParameterRow";
+import { Problem } from "./Problem";
 
 interface SceneGroupProps {
   work: Work;

@@ -1,7 +1,7 @@
 import { usePick } from "../api/store";
 import type { Result } from "../api/types";
 import { Icon } from "../ui/Icon";
-import { formatQuantity, formatSeconds } from "../ui/numbers";
+import { formatQuantity, formatSeconds, sentence } from "../ui/numbers";
 import { answers } from "../workbench/answers";
 import type { ShownFe } from "./shown";
 import { outcomeInWords } from "./words";
@@ -39,8 +39,8 @@ export function ModelNotes({ result, fe, totalMs }: { result: Result; fe: ShownF
         <section>
           <h3>Assumptions</h3>
           <ul>
-            {result.assumptions.map((sentence) => (
-              <li key={sentence}>{readable(sentence)}</li>
+            {result.assumptions.map((each) => (
+              <li key={each}>{readable(each)}</li>
             ))}
           </ul>
         </section>
@@ -93,9 +93,9 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
                 <th scope="row">{effect.name.replaceAll("_", " ")}</th>
                 <td className={effect.on ? "on" : "off"}>{effect.on ? "on" : "off"}</td>
                 <td>
-                  {effect.reason}
+                  {sentence(effect.reason)}
                   {effect.estimated_change_percent !== null &&
-                    ` About ${formatQuantity(effect.estimated_change_percent, 2)} %.`}
+                    ` Changes the answer by about ${formatQuantity(effect.estimated_change_percent, 2)} %.`}
                 </td>
               </tr>
             ))}
@@ -107,7 +107,6 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
 }
 
 /** "bottom_thickness is not given ..." reads better with its name spelt out. */
-function readable(sentence: string): string {
-  const words = sentence.replace(/^[a-z0-9]+(_[a-z0-9]+)+/, (name) => name.replaceAll("_", " "));
-  return `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith(".") ? "" : "."}`;
+function readable(text: string): string {
+  return sentence(text.replace(/^[a-z0-9]+(_[a-z0-9]+)+/, (name) => name.replaceAll("_", " ")));
 }

@@ -79,7 +79,7 @@ function Plots(props: PlotsProps) {
       </div>
       <CurveChart
         curves={angle}
-        xTitle="Pressure (kPa)"
+        xTitle="p (kPa)"
         marked={props.pressure}
         onPick={scrubToPressure}
         onDrawn={() => markPlotted(props.input)}

@@ -42,7 +42,7 @@ export function jobSentence(job: Job): string {
   if (job.state === "failed") return job.error ?? "The job failed without a reason.";
   if (job.state === "cancelled") return job.message || "Cancelled before it gave a result.";
   if (job.state === "done") {
-    if (job.outcome === "converged") return job.advice ?? (job.from_store ? "The same question was answered before." : "");
+    if (job.outcome === "converged" && job.from_store) return "The same question was answered before.";
     return [job.outcome && outcomeInWords(job.outcome), job.advice].filter(Boolean).join(" ");
   }
   if (job.state === "queued") return job.message || "Waiting for a worker.";

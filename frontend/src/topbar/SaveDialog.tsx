@@ -47,7 +47,7 @@ export function SaveDialog() {
               value={name}
               required
               maxLength={200}
-              autoFocus
+              data-autofocus
               data-testid="save-name"
               onFocus={(event) => event.currentTarget.select()}
               onChange={(event) => setDraftName(event.currentTarget.value)}
@@ -59,7 +59,7 @@ export function SaveDialog() {
           <input
             value={note}
             maxLength={2000}
-            autoFocus={!isNew}
+            {...(isNew ? {} : { "data-autofocus": true })}
             placeholder="What changed, and why (may stay empty)"
             data-testid="save-note"
             onChange={(event) => setNote(event.currentTarget.value)}

@@ -26,6 +26,7 @@ export function InlineName({ value, label, placeholder, onCommit, testId }: Inli
         aria-label={label}
         title={label}
         maxLength={200}
+        size={1}
         spellCheck={false}
         data-testid={testId}
         onChange={(event) => setDraft(event.currentTarget.value)}

@@ -16,7 +16,11 @@ export function Layer({ title, kind, onClose, tools, children, testId }: LayerPr
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const element = dialog.current;
-    if (element && !element.open) element.showModal();
+    if (element && !element.open) {
+      element.showModal();
+      // React's autoFocus comes too early for a dialog, which gives the focus to its first button.
+      element.querySelector<HTMLElement>("[data-autofocus]")?.focus();
+    }
     return () => element?.close();
   }, []);
   return (

@@ -42,3 +42,8 @@ export function formatMoment(iso: string): string {
 export function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
+
+/** Begins with a capital, ends with a full stop. */
+export function sentence(text: string): string {
+  return capital(text) + (/[.!?]$/.test(text) ? "" : ".");
+}

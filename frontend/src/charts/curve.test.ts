@@ -1,0 +1,72 @@
+import { describe, expect, it } from "vitest";
+
+import type { PathPoint, Result } from "../api/types";
+import { anglePoints, pointAt, tipPoints, valueAt } from "./curve";
+import { equalRanges, freeRanges } from "./scales";
+
+function point(pressure: number, angle: number, stretch: number | null = null): PathPoint {
+  return {
+    pressure_kPa: pressure, tip_mm: [100 - pressure, 0, -pressure], tip_displacement_mm: [0, 0, 0],
+    tip_rotation_deg: null, bending_angle_deg: angle, curvature_per_m: null, torsion_per_m: null,
+    helix_radius_mm: null, helix_pitch_mm: null, cavity_volume_ml: null, max_principal_stretch: stretch,
+    plate_force_N: null,
+  };
+}
+
+function result(path: PathPoint[]): Result {
+  return {
+    design: {}, scene: {}, rung: "energy", outcome: "converged", advice: null, path, error_estimate_percent: null,
+    wall_s: null, unknowns: 0, newton_iterations: 0, effects: [], assumptions: [], notes: [],
+  };
+}
+
+const answer = result([point(0, 10, 1), point(10, 20), point(20, 40, 1.4)]);
+const angle = (each: PathPoint) => each.bending_angle_deg;
+const stretch = (each: PathPoint) => each.max_principal_stretch;
+
+describe("reading a path at a pressure", () => {
+  it("is exact at its points and linear between them", () => {
+    expect(valueAt(answer, 10, angle)).toBe(20);
+    expect(valueAt(answer, 15, angle)).toBeCloseTo(30, 12);
+  });
+
+  it("knows nothing beyond the path", () => {
+    expect(valueAt(answer, 20.1, angle)).toBeNull();
+    expect(valueAt(result([]), 0, angle)).toBeNull();
+  });
+
+  it("never makes a number of an unknown", () => {
+    expect(valueAt(answer, 10, stretch)).toBeNull();
+    expect(valueAt(answer, 5, stretch)).toBeNull();
+    expect(valueAt(answer, 20, stretch)).toBe(1.4);
+  });
+
+  it("marks the same place on a curve", () => {
+    expect(pointAt(tipPoints(answer), 5)).toEqual({ x: 95, y: -5, pressure: 5 });
+    expect(pointAt(anglePoints(answer), 30)).toBeNull();
+  });
+});
+
+describe("ranges of plots", () => {
+  const curve = { id: "a", label: "", color: "", style: "line" as const, points: tipPoints(answer) };
+
+  it("give a millimetre the same length on both axes", () => {
+    const { x, y } = equalRanges([curve], 300, 150);
+    expect((x[1] - x[0]) / 300).toBeCloseTo((y[1] - y[0]) / 150, 12);
+    expect(x[0]).toBeLessThanOrEqual(0);
+    expect(x[1]).toBeGreaterThanOrEqual(100);
+    expect(y[0]).toBeLessThanOrEqual(-20);
+  });
+
+  it("begin at zero where all values are positive", () => {
+    const { x, y } = freeRanges([{ ...curve, points: anglePoints(answer) }]);
+    expect(x).toEqual([0, 20]);
+    expect(y[0]).toBe(0);
+    expect(y[1]).toBeGreaterThan(40);
+  });
+
+  it("exist without any points", () => {
+    expect(freeRanges([]).x[1]).toBeGreaterThan(0);
+    expect(Number.isFinite(equalRanges([], 100, 100).x[0])).toBe(true);
+  });
+});

@@ -1,0 +1,41 @@
+/** Says when a job has ended, and offers to look at it. */
+import { onJobEnd } from "../api/live";
+import type { Job } from "../api/types";
+import { shownJob } from "../results/shown";
+import { outcomeInWords } from "../results/words";
+import { showToast } from "../ui/toasts";
+import { setViewer } from "../viewer/settings";
+import { openVersion } from "../workbench/opening";
+import { bench } from "../workbench/workbench";
+
+function isHere(job: Job): boolean {
+  const origin = bench.get()?.present.origin;
+  return origin?.kind === "version" && origin.versionId === job.version_id;
+}
+
+function look(job: Job): void {
+  if (!isHere(job)) {
+    openVersion(job.version_id);
+    return;
+  }
+  shownJob.set({ kind: "job", id: job.id });
+  setViewer({ source: "fe" });
+}
+
+function announce(job: Job): void {
+  if (job.state === "cancelled") return;
+  if (job.state === "failed") {
+    showToast({ tone: "bad", text: `The job of ${job.design_name} failed: ${job.error ?? "no reason was given."}` });
+    return;
+  }
+  const early = job.outcome !== null && job.outcome !== "converged";
+  showToast({
+    tone: early ? "info" : "good",
+    text: `3D FE of ${job.design_name} is done. ${early ? outcomeInWords(job.outcome ?? "") : ""}`,
+    action: { label: isHere(job) ? "Show in 3D" : "Open", run: () => look(job) },
+  });
+}
+
+export function announceJobs(): void {
+  onJobEnd.add(announce);
+}

@@ -1,0 +1,20 @@
+import { useQuery } from "@tanstack/react-query";
+
+import { families } from "../api/queries";
+import type { ProblemDetail } from "../api/types";
+import { problemInWords } from "./problemInWords";
+
+/** What is wrong with a parameter and how to mend it. */
+export function Problem({ id, problem, name }: { id: string; problem: ProblemDetail; name: string }) {
+  const { data: list = [] } = useQuery(families);
+  const { message, mend } = problemInWords(
+    problem,
+    list.flatMap((family) => family.parameters),
+  );
+  return (
+    <p className="parameter-problem" id={id} role="alert" data-testid={`problem-${name}`}>
+      {message}
+      {mend && <strong> {mend}</strong>}
+    </p>
+  );
+}

@@ -1,0 +1,52 @@
+import { cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, describe, expect, it, vi } from "vitest";
+
+import { NumberField } from "./NumberField";
+
+afterEach(cleanup);
+
+function field(onCommit: (value: number) => void, integer = false) {
+  render(<NumberField value={4} step={0.1} unit="mm" label="Bottom layer" integer={integer} onCommit={onCommit} />);
+  return screen.getByLabelText<HTMLInputElement>("Bottom layer in mm");
+}
+
+describe("number field", () => {
+  it("takes a number by Enter and by leaving, once", () => {
+    const commit = vi.fn();
+    const input = field(commit);
+    fireEvent.change(input, { target: { value: "5,5" } });
+    expect(commit).not.toHaveBeenCalled();
+    fireEvent.keyDown(input, { key: "Enter" });
+    fireEvent.blur(input);
+    expect(commit.mock.calls).toEqual([[5.5]]);
+  });
+
+  it("gives the old number back by Escape and for what is no number", () => {
+    const commit = vi.fn();
+    const input = field(commit);
+    fireEvent.change(input, { target: { value: "9" } });
+    fireEvent.keyDown(input, { key: "Escape" });
+    expect(input.value).toBe("4");
+    fireEvent.change(input, { target: { value: "thick" } });
+    expect(input.getAttribute("aria-invalid")).toBe("true");
+    fireEvent.blur(input);
+    expect(input.value).toBe("4");
+    expect(commit).not.toHaveBeenCalled();
+  });
+
+  it("steps by the arrow keys, with Shift ten steps", () => {
+    const commit = vi.fn();
+    const input = field(commit);
+    fireEvent.keyDown(input, { key: "ArrowUp" });
+    fireEvent.keyDown(input, { key: "ArrowDown", shiftKey: true });
+    expect(commit.mock.calls).toEqual([[4.1], [3]]);
+  });
+
+  it("keeps counts whole", () => {
+    const commit = vi.fn();
+    const input = field(commit, true);
+    fireEvent.change(input, { target: { value: "6.7" } });
+    fireEvent.blur(input);
+    expect(commit.mock.calls).toEqual([[7]]);
+  });
+});

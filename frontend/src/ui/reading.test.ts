@@ -1,0 +1,53 @@
+import { describe, expect, it } from "vitest";
+
+import { formatNumber, formatQuantity, formatSeconds, parseNumber, sentence } from "./numbers";
+import { subscript, symbolParts } from "./symbols";
+
+describe("numbers", () => {
+  it("are read with point or comma, and nothing else is a number", () => {
+    expect(parseNumber(" 7,3 ")).toBe(7.3);
+    expect(parseNumber("-.5")).toBe(-0.5);
+    for (const text of ["", "4 mm", "1.2.3", "Infinity", "0x10", "1e999"]) expect(parseNumber(text)).toBeNull();
+  });
+
+  it("are written without what floating point leaves behind", () => {
+    expect(formatNumber(7.300000000000001)).toBe("7.3");
+    expect(formatNumber(107)).toBe("107");
+  });
+
+  it("keep their digits by size", () => {
+    expect(formatQuantity(12.3456)).toBe("12.3");
+    expect(formatQuantity(-0.01234, 4)).toBe("−0.012");
+    expect(formatQuantity(-2.9e-11, 4)).toBe("0.000");
+    expect(formatQuantity(123456)).toBe("1.23e+5");
+  });
+
+  it("show what is not known as a dash, never as zero", () => {
+    expect(formatQuantity(null)).toBe("—");
+    expect(formatQuantity(undefined)).toBe("—");
+    expect(formatQuantity(Number.NaN)).toBe("—");
+    expect(formatQuantity(0)).toBe("0.00");
+  });
+
+  it("say times as one speaks of them", () => {
+    expect(formatSeconds(3.21)).toBe("3.2 s");
+    expect(formatSeconds(59.4)).toBe("59 s");
+    expect(formatSeconds(125)).toBe("2 min 05 s");
+    expect(formatSeconds(3720)).toBe("1 h 02 min");
+  });
+
+  it("make sentences", () => {
+    expect(sentence("the scene has it")).toBe("The scene has it.");
+  });
+});
+
+describe("symbols", () => {
+  it("have their subscripts and Greek letters", () => {
+    expect(symbolParts("h1")).toEqual([{ base: "h", sub: "1" }]);
+    expect(symbolParts("w_o")).toEqual([{ base: "w", sub: "o" }]);
+    expect(symbolParts("theta")).toEqual([{ base: "θ", sub: "" }]);
+    expect(symbolParts("h2/h1").map((part) => part.sub)).toEqual(["2", "1"]);
+    expect(symbolParts("n")).toEqual([{ base: "n", sub: "" }]);
+    expect(subscript("12")).toBe("₁₂");
+  });
+});
