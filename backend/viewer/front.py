@@ -22,10 +22,12 @@ POLICY = (
     "worker-src blob: data:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
     "connect-src 'self' data: blob:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 )
-# viser's own panel, notifications and mobile sheet; the page around the frame has its own controls
+# viser's own panel, notifications and mobile sheet are hidden: the page around the frame has its own
+# controls. So is its fade-in, which stands still half way while nothing moves.
 HIDING = """<style>
 [data-floating-window],[data-dock-region],.mantine-Notifications-root,.mantine-Paper-root
 {display:none!important}
+canvas[data-engine]{opacity:1!important}
 html,body{margin:0;height:100%;overflow:hidden;background:transparent}
 </style>"""
 HEADERS = {

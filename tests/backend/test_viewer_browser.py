@@ -11,7 +11,9 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
 
+from backend.viewer import shading
 from tests.backend.conftest import SCENE, SLAB, Served
+from tests.backend.test_viewer_pictures import srgb
 
 CHROMIUM = "/usr/bin/chromium"
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
@@ -75,9 +77,9 @@ class Studio:
     def call(self, method: str, path: str, body: Any) -> Any:
         return self.driver.evaluate(CALL, [method, path, body])
 
-    def content(self, **change: Any) -> Any:
-        source = {"kind": "instant", "design": {**SLAB, **change}, "scene": SCENE}
-        body = {"source": source, "undeformed": True}
+    def content(self, scene: Any = SCENE, frame: int = 20, **change: Any) -> Any:
+        source = {"kind": "instant", "design": {**SLAB, **change}, "scene": scene}
+        body = {"source": source, "undeformed": scene is SCENE, "frame": frame}
         return self.call("PUT", f"/api/views/{self.view['view_id']}/content", body)
 
     def frame(self, index: int) -> None:
@@ -100,6 +102,21 @@ def test_the_view_shows_the_body_and_hides_visers_own_panel(studio: Studio, tmp_
         assert not panel.is_visible()
     refused = [m for m in studio.messages if "Content Security Policy" in m or "error:" in m]
     assert not refused, refused
+
+
+def test_the_screen_shows_the_legends_colour_exactly(studio: Studio) -> None:
+    weightless = {**SCENE, "gravity_m_s2": None}
+    legend = studio.content(weightless, frame=0)["legend"]
+    studio.page.wait_for_timeout(1000)
+    # nothing has moved at zero pressure: every face has the lowest colour, under its own light
+    lowest = [int(legend["stops"][0][1][k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    top = round((0.5 + 0.5 * shading.LIGHT[2]) * (shading.SHADES - 1))
+    light = np.linspace(shading.DARKEST, shading.BRIGHTEST, shading.SHADES)[top]
+    wanted = srgb(shading.to_linear(np.array(lowest)) * light)
+    near = np.abs(studio.picture() - wanted).max(axis=-1) < 2.5
+    studio.content()
+    studio.page.wait_for_timeout(1000)
+    assert near.mean() > 0.02, "the top face is not in the picture"
 
 
 def test_new_content_replaces_the_old_without_a_gap(studio: Studio) -> None:
