@@ -22,8 +22,8 @@ POLICY = (
     "worker-src blob: data:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
     "connect-src 'self' data: blob:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 )
-# viser's own panel, notifications and mobile sheet are hidden: the page around the frame has its own
-# controls. So is its fade-in, which stands still half way while nothing moves.
+# viser's own panel, notifications and mobile sheet are hidden: the page around the frame has
+# controls of its own. So is the fade-in, which stands still half way while nothing moves.
 HIDING = """<style>
 [data-floating-window],[data-dock-region],.mantine-Notifications-root,.mantine-Paper-root
 {display:none!important}

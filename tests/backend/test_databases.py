@@ -36,12 +36,13 @@ def test_the_whole_loop_runs_on_either_database(kind: str, tmp_path: Path) -> No
 
 
 def test_a_database_that_is_away_is_said_so(tmp_path: Path) -> None:
-    with client_on(settings_in(tmp_path)) as client:
-        store = client.app.state.store  # type: ignore[attr-defined]
-        store.close()
-        (tmp_path / "pneustudio.sqlite").rename(tmp_path / "elsewhere")
-        (tmp_path / "pneustudio.sqlite").mkdir()
+    here, away = tmp_path / "data", tmp_path / "away"
+    with client_on(settings_in(here)) as client:
+        assert client.get("/api/designs").status_code == 200
+        here.rename(away)
+        client.app.state.store.close()  # type: ignore[attr-defined]
         answer = client.get("/api/designs")
         assert answer.status_code == 503
         assert "database" in answer.json()["detail"]["message"]
-        (tmp_path / "pneustudio.sqlite").rmdir()
+        away.rename(here)
+        assert client.get("/api/designs").status_code == 200
