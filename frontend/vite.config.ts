@@ -9,5 +9,5 @@ export default defineConfig({
   server: {
     proxy: { "/api": { target: backend, ws: true } },
   },
-  test: { environment: "jsdom", include: ["src/**/*.test.{ts,tsx}"] },
+  test: { environment: "node", include: ["src/**/*.test.{ts,tsx}"] },
 });

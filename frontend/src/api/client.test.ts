@@ -1,3 +1,4 @@
+// @vitest-environment jsdom
 import { describe, expect, it } from "vitest";
 
 import { ApiProblem, messageOf, take, Unreachable } from "./client";

@@ -41,7 +41,10 @@ function onJob(job: Job): void {
 function onEvent(event: LiveEvent): void {
   lastSeq = event.seq;
   if (event.kind === "job" && event.job) onJob(event.job);
-  if (event.kind === "history") void queryClient.invalidateQueries({ queryKey: keys.designs });
+  if (event.kind === "history") {
+    // A new name shows in the list of jobs as well.
+    for (const queryKey of [keys.designs, keys.jobs]) void queryClient.invalidateQueries({ queryKey });
+  }
 }
 
 const CHANGING = new Set(["jobs", "designs", "version", "compare", "health"]);

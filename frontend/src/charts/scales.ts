@@ -28,11 +28,19 @@ export function freeRanges(curves: readonly Curve[]): { x: Range; y: Range } {
   return { x, y: [y[0] === 0 ? 0 : low, y[1] === 0 ? 0 : high] };
 }
 
+/** A path shorter than this [mm] is not blown up. */
+const LEAST = 8;
+
+function atLeast([low, high]: Range, span: number): Range {
+  const spare = Math.max(0, span - (high - low)) / 2;
+  return [low - spare, high + spare];
+}
+
 /** Ranges in which a millimetre is as long across as up; the data stand in the middle. */
 export function equalRanges(curves: readonly Curve[], width: number, height: number): { x: Range; y: Range } {
   const points = curves.flatMap((curve) => curve.points);
-  const x = padded(rangeOf([0, ...points.map((point) => point.x)], false), 0.06);
-  const y = padded(rangeOf([0, ...points.map((point) => point.y)], false), 0.06);
+  const x = atLeast(padded(rangeOf(points.map((point) => point.x), false), 0.1), LEAST);
+  const y = atLeast(padded(rangeOf(points.map((point) => point.y), false), 0.1), LEAST);
   if (width <= 0 || height <= 0) return { x, y };
   const scale = Math.max((x[1] - x[0]) / width, (y[1] - y[0]) / height);
   return { x: centred(x, scale * width), y: centred(y, scale * height) };

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 
 import { connection } from "../api/live";
-import { usePick, useStore } from "../api/store";
+import { useStore } from "../api/store";
 import { useShownFe } from "../results/shown";
 import { feLabel } from "../results/words";
 import { Button } from "../ui/Button";
@@ -10,7 +10,7 @@ import { Busy, Empty } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
 import { ColourLegend } from "./ColourLegend";
 import { ScrubBar } from "./ScrubBar";
-import { setViewer, viewerSettings } from "./settings";
+import { colourFor, setViewer, viewerSettings } from "./settings";
 import { useViewFeed } from "./useViewFeed";
 import { openView, setCamera, view, type Camera, type Colour } from "./view";
 
@@ -43,12 +43,12 @@ export function ViewerPanel() {
 function Toolbar() {
   const settings = useStore(viewerSettings);
   const fe = useShownFe();
-  const offered = usePick(view, (state) => state.content?.colours ?? null);
+  const source = settings.source === "fe" && fe ? "fe" : "instant";
   return (
     <div className="viewer-toolbar">
       <Segmented
         label="Source of the 3D view"
-        value={settings.source === "fe" && fe ? "fe" : "instant"}
+        value={source}
         options={[
           { value: "instant", label: "Instant", title: "The instant answer to the parameters as they stand" },
           {
@@ -58,7 +58,7 @@ function Toolbar() {
             disabled: !fe,
           },
         ]}
-        onChange={(source) => setViewer({ source })}
+        onChange={(next) => setViewer({ source: next })}
         testId="viewer-source"
       />
       <div className="spacer" />
@@ -73,9 +73,9 @@ function Toolbar() {
       </label>
       <Segmented
         label="Colour by"
-        value={settings.colour}
+        value={colourFor(settings.colour, source)}
         options={COLOURS.map((each) => {
-          const missing = offered !== null && each.value !== "none" && !offered.includes(each.value);
+          const missing = colourFor(each.value, source) !== each.value;
           return missing
             ? { ...each, disabled: true, title: `${each.title}: only a finite-element result has it` }
             : each;

@@ -28,3 +28,8 @@ viewerSettings.subscribe(() => localStorage.setItem(KEY, JSON.stringify(viewerSe
 export function setViewer(change: Partial<ViewerSettings>): void {
   viewerSettings.update((now) => ({ ...now, ...change }));
 }
+
+/** Fields on the surface come from finite elements only; the instant answer has displacements. */
+export function colourFor(colour: Colour, source: ViewerSettings["source"]): Colour {
+  return source === "instant" && (colour === "stretch" || colour === "stress") ? "displacement" : colour;
+}

@@ -6,16 +6,18 @@ import { useTheme } from "../theme/theme";
 import { answers } from "../workbench/answers";
 import { sceneOf } from "../workbench/document";
 import { frameIndex, scrubber } from "../workbench/scrubber";
-import { viewerSettings } from "./settings";
+import { colourFor, viewerSettings } from "./settings";
 import { openView, setDark, showContent, showFrame, view } from "./view";
 
 /** Keeps the room in step with the bench, the settings, the scrubber and the theme. */
 export function useViewFeed(): void {
-  const { colour, undeformed, source } = useStore(viewerSettings);
+  const settings = useStore(viewerSettings);
+  const { undeformed } = settings;
   // The last design that was answered: one that is refused has no body to show.
   const answered = usePick(answers, (now) => now.answered);
   const feJobId = useShownFe()?.job.id ?? null;
-  const jobId = source === "fe" ? feJobId : null;
+  const jobId = settings.source === "fe" ? feJobId : null;
+  const colour = colourFor(settings.colour, jobId === null ? "instant" : "fe");
   const index = usePick(scrubber, frameIndex);
   const { theme } = useTheme();
   const viewId = usePick(view, (state) => state.viewId);
