@@ -17,12 +17,15 @@ import numpy as np
 from actuators.mechanics.continuum.direct_solver import FactorizationError, SymmetricSolver
 from actuators.mechanics.continuum.system import Balance, ContinuumSystem, State
 
-SMALLEST_FACTOR = 1 / 16
+SMALLEST_FACTOR = 1 / 32
 TRUSTED_CONTRACTION = 0.3
 """Contraction below which the old tangent is used once more instead of a new one."""
 LENIENCE = 20.0
 """Growth of the simplified correction that a full step may show: a slender body that turns
 stretches on the way, and the next step takes that back. Held to monotony, it creeps."""
+MONOTONE = 0.75
+"""The natural monotonicity test for full steps too: from a coarser mesh's answer, where nothing
+turns, it is the safer rule."""
 NEGLIGIBLE = 1e-3
 
 
@@ -64,6 +67,7 @@ def solve_equilibrium(
     *,
     tolerance: float = 1e-6,
     most_iterations: int = 12,
+    lenience: float = LENIENCE,
     cancelled: Callable[[], bool] | None = None,
 ) -> Equilibrium | Failure:
     """Equilibrium near ``start``. ``tolerance``: largest displacement correction over the body's
@@ -94,7 +98,7 @@ def solve_equilibrium(
             if balance.admissible:
                 again, dp_again = border.correction(trial, balance)
                 rest = _length(system, again)
-                slack = LENIENCE if factor == 1.0 else 1 - factor / 4
+                slack = lenience if factor == 1.0 else 1 - factor / 4
                 if rest <= slack * length or rest <= NEGLIGIBLE * tolerance * size:
                     break
             factor /= 2

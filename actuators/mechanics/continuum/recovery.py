@@ -38,7 +38,8 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     points = _points(answer, shape, largest)
     note = overlap_note(points, wall_overlap(mesh, states))
     notes = _notes(answer, accuracy)
-    notes += range_notes(system.materials, largest.max(axis=0) if len(states) else [])
+    if states:
+        notes += range_notes(system.materials, largest.max(axis=0))
     if note is not None:
         notes.append(note)
     path = answer.path

@@ -6,7 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from actuators.mechanics.continuum.direct_solver import SymmetricSolver
-from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
+from actuators.mechanics.continuum.newton import (
+    MONOTONE,
+    Equilibrium,
+    Target,
+    solve_equilibrium,
+)
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import Outcome
@@ -101,7 +106,7 @@ class Refinement:
     def _at(self, index: int, start: State) -> Equilibrium | None:
         result = solve_equilibrium(
             self._fine, self._solver, start, Target(self._path.points[index].pressure),
-            cancelled=lambda: self._stop() is not None,
+            cancelled=lambda: self._stop() is not None, lenience=MONOTONE,
         )  # fmt: skip
         self.iterations += result.iterations
         return result if isinstance(result, Equilibrium) else None
