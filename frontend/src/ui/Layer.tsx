@@ -19,7 +19,7 @@ export function Layer({ title, kind, onClose, tools, children, testId }: LayerPr
     if (element && !element.open) {
       element.showModal();
       // React's autoFocus comes too early for a dialog, which gives the focus to its first button.
-      element.querySelector<HTMLElement>("[data-autofocus]")?.focus();
+      (element.querySelector<HTMLElement>("[data-autofocus]") ?? element).focus();
     }
     return () => element?.close();
   }, []);
@@ -27,6 +27,7 @@ export function Layer({ title, kind, onClose, tools, children, testId }: LayerPr
     <dialog
       ref={dialog}
       className={`layer ${kind}`}
+      tabIndex={-1}
       aria-label={title}
       data-testid={testId}
       onCancel={(event) => {

@@ -1,5 +1,7 @@
 import type { CSSProperties } from "react";
 
+import { dragging } from "./dragging";
+
 interface SliderProps {
   value: number;
   min: number;
@@ -38,7 +40,13 @@ export function Slider(props: SliderProps) {
         disabled={props.disabled ?? false}
         onInput={(event) => props.onInput(event.currentTarget.valueAsNumber)}
         onChange={() => undefined}
-        onPointerUp={props.onCommit}
+        onPointerDown={() => dragging.set(true)}
+        onLostPointerCapture={() => dragging.set(false)}
+        onPointerCancel={() => dragging.set(false)}
+        onPointerUp={() => {
+          dragging.set(false);
+          props.onCommit?.();
+        }}
         onKeyUp={props.onCommit}
         onFocus={props.onFocus}
       />

@@ -4,6 +4,7 @@ import { Lane } from "../api/lane";
 import { reconnections } from "../api/live";
 import { Store } from "../api/store";
 import type { ContentRequest } from "../api/types";
+import { dragging } from "../ui/dragging";
 import { setFrames } from "../workbench/scrubber";
 
 function putContent({ viewId, body }: Placed<ContentRequest>) {
@@ -43,6 +44,7 @@ interface Placed<T> {
 }
 
 let wanted: ContentRequest | null = null;
+let sent: ContentRequest | null = null;
 let frame = 0;
 let dark = false;
 let opening: Promise<void> | null = null;
@@ -81,7 +83,8 @@ const frames = new Lane<Placed<number>, unknown>(
 
 /** While a slider moves, the plots have the machine: the body follows once the hand rests. (The
  * room's page decodes its frames on this page's thread.) */
-const REST_MS = 350;
+const REST_MS = 250;
+const REST_WHILE_DRAGGING_MS = 1000;
 let resting = 0;
 
 export function showContent(content: ContentRequest, when: "now" | "at rest" = "now"): void {
@@ -89,12 +92,18 @@ export function showContent(content: ContentRequest, when: "now" | "at rest" = "
   window.clearTimeout(resting);
   patch({ busy: true });
   if (when === "now") send();
-  else resting = window.setTimeout(send, REST_MS);
+  else resting = window.setTimeout(send, dragging.get() ? REST_WHILE_DRAGGING_MS : REST_MS);
 }
+
+dragging.subscribe(() => {
+  if (!dragging.get() && wanted && wanted !== sent) showContent(wanted, "at rest");
+});
 
 function send(): void {
   const { viewId } = view.get();
-  if (viewId !== null && wanted) contents.ask({ viewId, body: wanted });
+  if (viewId === null || !wanted) return;
+  sent = wanted;
+  contents.ask({ viewId, body: wanted });
 }
 
 export function showFrame(index: number): void {
