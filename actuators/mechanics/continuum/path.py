@@ -18,33 +18,41 @@ from actuators.mechanics.continuum.newton import (
     Target,
     solve_equilibrium,
 )
+from actuators.mechanics.continuum.prediction import (
+    LARGEST_VOLUME_STEP,
+    PREDICTOR_STATES,
+    combine,
+    difference,
+    growth,
+    is_near_summit,
+    lagrange_weights,
+    predict,
+    predict_by_volume,
+    pressure_step,
+    summit_volume,
+)
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import Outcome
 
 FIRST_STEP, LARGEST_STEP = 0.05, 0.1
 """Fractions of the pressure range."""
-LARGEST_FIRST_MOVE = 0.2
+LARGEST_FIRST_MOVE = 0.1
 SMALLEST_SHARE_OF_GRAVITY = 1 / 256
 SMALLEST_FIRST_STEP = 1 / 500
 """Fraction of the range below which volume takes over."""
-LARGEST_VOLUME_STEP = 0.15
-"""Fraction of the cavity's volume."""
 SMALLEST_VOLUME_STEP = 1 / 2000
 """Fraction of the cavity's volume below which the path has stalled."""
 MOST_VOLUME_STEPS = 200
-FLAT = 0.02
-"""Rise of pressure with volume, over the first such rise, that counts as a maximum reached."""
-PREDICTOR_STATES = 2
-"""States that the prediction extrapolates: linear. A parabola through three was tried and cost more
-iterations wherever the step had grown."""
+SMALL_VOLUME_STEP = 0.02
+"""Failing below this, with the pressure's maximum in sight, ends the path there."""
 
 Watch = Callable[[float], None]
 
 
 @dataclass(eq=False)
 class Path:
-    """Equilibria found, in order; ``beyond`` is a state past the limit point, kept to locate the
-    limit on finer meshes."""
+    """Equilibria found, in order; ``beyond`` is a state past the limit point, where one was solved:
+    the proof that the pressure falls there."""
 
     points: list[Equilibrium] = field(default_factory=list)
     outcome: Outcome = Outcome.CONVERGED
@@ -61,14 +69,13 @@ class PathFollower:
         system: ContinuumSystem,
         solver: SymmetricSolver,
         *,
-        tolerance: float = 1e-6,
+        tolerance: float = 1e-5,
         stop: Callable[[], Outcome | None] = lambda: None,
         watch: Watch = lambda pressure: None,
     ) -> None:
         self._system, self._solver, self._tolerance = system, solver, tolerance
         self._stop, self._watch = stop, watch
         self._path = Path()
-        self._first_slope: float | None = None
 
     def follow(self, pressure_to: float, report: Sequence[float] | None) -> Path:
         """Path from zero to ``pressure_to`` [Pa]. ``report``: increasing pressures to stop at, the
@@ -113,14 +120,14 @@ class PathFollower:
             done = states[-1][0]
             share = done + step if done + 1.2 * step < 1.0 else 1.0
             recent = states[-PREDICTOR_STATES:]
-            weights = _weights([known for known, _ in recent], share)
-            start = _combine([state for _, state in recent], weights)
+            weights = lagrange_weights([known for known, _ in recent], share)
+            start = combine([state for _, state in recent], weights)
             result = self._solve(start, Target(0.0, gravity=share))
             if isinstance(result, Equilibrium):
                 if share == 1.0:
                     return result
                 states.append((share, result.state))
-                step = (share - done) * _growth(result.iterations)
+                step = (share - done) * growth(result.iterations)
             elif self._stopped():
                 return None
             else:
@@ -136,10 +143,18 @@ class PathFollower:
         balance = system.linearise(system.rest(), 0.0)
         self._solver.factorize(system.values)
         self._path.iterations += 1
-        move = system.expand(self._solver.solve(-system.reduce(balance)), balance)
-        largest = float(np.abs(move.displacement).max())
-        size = float(np.ptp(system.mesh.nodes, axis=0).max())
-        return min(1.0, LARGEST_FIRST_MOVE * size / largest) if largest > 0 else 1.0
+        return min(1.0, self._share_of_first_move(self._solver.solve(-system.reduce(balance))))
+
+    def _first_pressure(self, start: Equilibrium) -> float:
+        """Pressure [Pa] whose linear answer, by the tangent last factorised, moves the body by
+        :data:`LARGEST_FIRST_MOVE` of its size."""
+        _, gradient = self._system.volume(start.state)
+        return self._share_of_first_move(self._solver.solve(gradient))
+
+    def _share_of_first_move(self, solution: np.ndarray) -> float:
+        largest = float(np.abs(solution).max())
+        size = float(np.ptp(self._system.mesh.nodes, axis=0).max())
+        return LARGEST_FIRST_MOVE * size / largest if largest > 0 else math.inf
 
     def _inflate(
         self, history: list[Equilibrium], pressure_to: float, report: Sequence[float] | None
@@ -149,20 +164,19 @@ class PathFollower:
         step = FIRST_STEP * pressure_to
         if len(history) > 1:
             step = history[-1].pressure - history[-2].pressure
+        else:
+            step = min(step, self._first_pressure(history[0]))
         while True:
             last = history[-1]
             goal = targets[0] if targets else pressure_to
-            step = min(step, LARGEST_STEP * pressure_to, _pressure_step(history))
+            step = min(step, LARGEST_STEP * pressure_to, pressure_step(history))
             wanted = last.pressure + step
             if wanted > goal - 0.2 * step:
                 wanted = goal
-            result = self._solve(_predict(history, wanted), Target(wanted))
+            result = self._solve(predict(history, wanted), Target(wanted))
             if isinstance(result, Equilibrium) and not result.negative_eigenvalues:
-                if self._first_slope is None and result.volume > last.volume:
-                    rise = result.pressure - last.pressure
-                    self._first_slope = rise / (result.volume - last.volume)
                 history = [*history[-2:], result]
-                step = (wanted - last.pressure) * _growth(result.iterations)
+                step = (wanted - last.pressure) * growth(result.iterations)
                 self._watch(wanted)
             elif self._stopped():
                 return visited
@@ -188,23 +202,23 @@ class PathFollower:
         one at ``goal``) or a maximum (then None, with the limit state as last visited)."""
         path = self._path
         trail = history[-3:]
-        if self._first_slope is None and len(trail) > 1:
-            rise = trail[-1].pressure - trail[-2].pressure
-            self._first_slope = rise / (trail[-1].volume - trail[-2].volume)
         step = 0.5 * (trail[-1].volume - trail[-2].volume) if len(trail) > 1 else 0.0
         step = max(step, 0.02 * trail[-1].volume)
         for _ in range(MOST_VOLUME_STEPS):
             last = trail[-1]
             step = min(step, LARGEST_VOLUME_STEP * last.volume)
             volume = last.volume + step
-            guess = _predict_by_volume(trail, volume)
+            guess = predict_by_volume(trail, volume)
             result = self._solve(guess[0], Target(guess[1], volume=volume))
             if isinstance(result, Failure):
                 if self._stopped():
                     return None
                 step /= 2
+                if step < SMALL_VOLUME_STEP * last.volume and is_near_summit(trail):
+                    path.outcome = Outcome.LIMIT_POINT
+                    return None
                 if step < SMALLEST_VOLUME_STEP * last.volume:
-                    self._give_up(trail, result.reason)
+                    path.outcome, path.reason = Outcome.STALLED, result.reason
                     return None
                 continue
             if result.pressure <= last.pressure:
@@ -212,7 +226,7 @@ class PathFollower:
                 return None
             if result.pressure >= goal:
                 share = (goal - last.pressure) / (result.pressure - last.pressure)
-                start = last.state.moved(share, _difference(result.state, last.state))
+                start = last.state.moved(share, difference(result.state, last.state))
                 there = self._solve(start, Target(goal))
                 if isinstance(there, Equilibrium):
                     return [last, there]
@@ -221,22 +235,10 @@ class PathFollower:
             if keep:
                 visited.append(result)
             trail = [*trail[-2:], result]
-            step *= _growth(result.iterations)
+            step *= growth(result.iterations)
         path.outcome = Outcome.STALLED
         path.reason = "the volume grows without the pressure coming to a maximum"
         return None
-
-    def _give_up(self, trail: list[Equilibrium], reason: str) -> None:
-        """Volume control has failed too: a limit point all the same if the pressure had all but
-        stopped rising with the volume."""
-        path = self._path
-        path.outcome, path.reason = Outcome.STALLED, reason
-        if len(trail) < 2 or self._first_slope is None:
-            return
-        last, before = trail[-1], trail[-2]
-        slope = (last.pressure - before.pressure) / (last.volume - before.volume)
-        if slope < FLAT * self._first_slope:
-            path.outcome = Outcome.LIMIT_POINT
 
     def _locate_limit(self, around: list[Equilibrium], visited: list[Equilibrium]) -> None:
         """Solve at the volume where a parabola through the last three states has its maximum."""
@@ -245,8 +247,8 @@ class PathFollower:
         path.beyond = around[-1]
         top = around[-2]
         if len(around) >= 3:
-            volume = _summit(around[-3:])
-            guess = _predict_by_volume(around[-2:], volume)
+            volume = summit_volume(around[-3:])
+            guess = predict_by_volume(around[-2:], volume)
             result = self._solve(guess[0], Target(guess[1], volume=volume))
             if isinstance(result, Equilibrium) and result.pressure > top.pressure:
                 top = result
@@ -254,59 +256,3 @@ class PathFollower:
             visited.pop()
         if not visited or top is not visited[-1]:
             visited.append(top)
-
-
-def _growth(iterations: int) -> float:
-    """Next step over this one: easy steps may grow."""
-    return {1: 2.0, 2: 1.5, 3: 1.2}.get(iterations, 0.8 if iterations > 5 else 1.0)
-
-
-def _pressure_step(history: Sequence[Equilibrium]) -> float:
-    """Step in pressure for the largest step in volume, by the last slope."""
-    if len(history) < 2:
-        return math.inf
-    last, before = history[-1], history[-2]
-    slope = (last.volume - before.volume) / (last.pressure - before.pressure)
-    return LARGEST_VOLUME_STEP * last.volume / slope if slope > 0 else math.inf
-
-
-def _difference(a: State, b: State) -> State:
-    return State(a.displacement - b.displacement, a.pressure - b.pressure)
-
-
-def _weights(known: Sequence[float], at: float) -> list[float]:
-    """Lagrange weights of the polynomial through values at ``known`` for its value at ``at``."""
-    return [
-        math.prod((at - other) / (own - other) for k, other in enumerate(known) if k != n)
-        for n, own in enumerate(known)
-    ]
-
-
-def _combine(states: Sequence[State], weights: Sequence[float]) -> State:
-    return State(
-        sum((w * s.displacement for w, s in zip(weights, states, strict=True)), np.zeros(())),
-        sum((w * s.pressure for w, s in zip(weights, states, strict=True)), np.zeros(())),
-    )
-
-
-def _predict(history: list[Equilibrium], pressure: float) -> State:
-    """Extrapolation of the last states (up to three) to ``pressure``."""
-    recent = history[-PREDICTOR_STATES:]
-    weights = _weights([e.pressure for e in recent], pressure)
-    return _combine([e.state for e in recent], weights)
-
-
-def _predict_by_volume(trail: list[Equilibrium], volume: float) -> tuple[State, float]:
-    """Extrapolation of the last states, and of the pressure, to ``volume``."""
-    recent = trail[-PREDICTOR_STATES:]
-    weights = _weights([e.volume for e in recent], volume)
-    pressure = sum(w * e.pressure for w, e in zip(weights, recent, strict=True))
-    return _combine([e.state for e in recent], weights), pressure
-
-
-def _summit(three: list[Equilibrium]) -> float:
-    """Volume at the maximum of the parabola p(V) through three states."""
-    v = np.array([e.volume for e in three])
-    p = np.array([e.pressure for e in three])
-    a, b, _ = np.polyfit(v - v[1], p, 2)
-    return float(v[1] - b / (2 * a)) if a < 0 else float(v[1])
