@@ -64,8 +64,16 @@ class Refinement:
 
     def anchor(self, previous: Anchor) -> Anchor | None:
         """The anchor on the finer mesh, started from a coarser one; None where not found."""
-        start = _prolong(previous.system, self._fine, previous.found.state)
-        found = self._at(self._shared - 1, start)
+        last = self._shared - 1
+        found = self._at(last, _prolong(previous.system, self._fine, previous.found.state))
+        earlier = last // 2
+        while found is None and earlier > 0 and self._stop() is None:
+            # a point where less is deformed is easier, and its correction helps
+            easier = self._at(earlier, self._starts[earlier])
+            if easier is not None:
+                correction = _minus(easier.state, self._starts[earlier])
+                found = self._at(last, self._starts[last].moved(1.0, correction))
+            earlier //= 2
         return Anchor(self._fine, found) if found is not None else None
 
     def beyond(
