@@ -5,7 +5,7 @@ import { valueAt } from "../charts/curve";
 import { spelt } from "../history/changes";
 import { QUANTITIES } from "../results/quantities";
 import { formatQuantity } from "../ui/numbers";
-import { commonPressure } from "./common";
+import { commonPressure } from "./commonPressure";
 
 /** Parameters with those that differ first, then the answers at one pressure. */
 export function CompareTable({ comparison }: { comparison: Comparison }) {
