@@ -76,7 +76,12 @@ def with_followers(job_id: str) -> ColumnElement[bool]:
 def _jobs() -> Select[Any]:
     columns = [c for c in tables.job.c if c.name not in _INNER]
     return (
-        select(*columns, tables.version.c.design_id, tables.design.c.name.label("design_name"))
+        select(
+            *columns,
+            tables.version.c.design_id,
+            tables.version.c.number.label("version_number"),
+            tables.design.c.name.label("design_name"),
+        )
         .join(tables.version, tables.version.c.id == tables.job.c.version_id)
         .join(tables.design, tables.design.c.id == tables.version.c.design_id)
     )

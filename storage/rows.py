@@ -60,6 +60,7 @@ class JobRow:
 
     id: str
     version_id: str
+    version_number: int
     design_id: str
     design_name: str
     author: str

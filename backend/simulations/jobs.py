@@ -52,6 +52,7 @@ def as_job(row: JobRow) -> Job:
     return Job(
         id=row.id,
         version_id=row.version_id,
+        version_number=row.version_number,
         design_id=row.design_id,
         design_name=row.design_name,
         rung=row.rung,

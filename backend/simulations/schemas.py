@@ -100,6 +100,7 @@ class Job(Answer):
 
     id: str
     version_id: str
+    version_number: int
     design_id: str
     design_name: str
     rung: str

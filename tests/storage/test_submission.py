@@ -130,3 +130,4 @@ def test_jobs_are_listed_newest_first_and_by_state(store: Store, version: Versio
     assert store.list_jobs(version_id="other") == []
     assert set(store.get_jobs([jobs[0].id, "unknown"])) == {jobs[0].id}
     assert store.list_jobs()[0].design_name == "Finger"
+    assert store.list_jobs()[0].version_number == 1

@@ -50,7 +50,7 @@ export function JobRow({ job, here, shown }: JobRowProps) {
           disabled={here}
           onClick={() => openVersion(job.version_id)}
         >
-          {job.design_name}
+          {job.design_name} <span className="muted">v{job.version_number}</span>
         </button>
       </td>
       <td className="job-question muted">
