@@ -1,5 +1,6 @@
 """Every error of the API in one form: what is wrong, with which entry, and how to mend it."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from fastapi import FastAPI, Request
@@ -100,12 +101,13 @@ def install(app: FastAPI) -> None:
 
 
 def _of_validation(error: RequestValidationError) -> JSONResponse:
-    first = error.errors()[0]
-    where = [str(part) for part in first["loc"]]
-    path = where[1:] if where and where[0] in ("body", "query", "path", "header") else where
+    errors = error.errors()
+    first = errors[0]
+    path = _place(first, error.body)
     field = ".".join(path) or "body"
     given = first.get("input")
-    reason = str(first["msg"]).rstrip(".")
+    reasons = (str(e["msg"]).rstrip(".") for e in errors if _place(e, error.body) == path)
+    reason = "; or: ".join(dict.fromkeys(reasons))
     missing = first["type"] == "missing"
     shown = "" if missing else repr(given)[:120]
     message = f"{field} is missing." if missing else f"{field} is {shown}: {reason}."
@@ -113,3 +115,22 @@ def _of_validation(error: RequestValidationError) -> JSONResponse:
     if first["type"] == "extra_forbidden":
         mend = f"Remove {field}."
     return problem(422, message, field=field, value=shown, mend=mend)
+
+
+def _place(error: Mapping[str, Any], body: Any) -> list[str]:
+    """Where in the request an error is. Past the value itself, pydantic names the branch of a union
+    that it tried; a caller knows no such place."""
+    where, *rest = error["loc"]
+    if where != "body":
+        inside = rest if where in ("query", "path", "header") else error["loc"]
+        return [str(part) for part in inside]
+    place, value = [], body
+    for part in rest:
+        try:
+            value = value[part]
+        except (TypeError, LookupError):
+            if error["type"] == "missing":
+                place.append(str(part))
+            break
+        place.append(str(part))
+    return place

@@ -174,6 +174,21 @@ def test_wrong_requests_are_422_in_the_same_form(
     assert detail(answer)["field"]
 
 
+@pytest.mark.parametrize(
+    ("c", "reason"),
+    [(1000, "less than or equal to 100"), ("mine", "'published'"), ({"a": 1}, "c is")],
+)
+def test_an_entry_that_may_be_of_two_kinds_is_named_as_it_was_sent(
+    client: TestClient, c: Any, reason: str
+) -> None:
+    answer = client.post("/api/predict", json={"design": SLAB, "scene": SCENE, "c": c})
+    assert answer.status_code == 422, answer.text
+    found = detail(answer)
+    assert found["field"] == "c"
+    assert reason in found["message"]
+    assert "literal" not in found["message"] + found["mend"]
+
+
 @pytest.mark.parametrize("accuracy", [0, -1, 2, "high", None])
 def test_a_job_with_an_impossible_accuracy_is_refused(
     client: TestClient, store: Store, accuracy: Any
