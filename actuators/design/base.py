@@ -120,14 +120,14 @@ def _check_limits(p: Parameter, value: Any) -> None:
     unit = f" {p.unit}" if p.unit else ""
     if p.lower is not None and border < p.lower - slack:
         raise DesignError(
-            f"{p.name} is {border:.4g}{unit}, below its limit of {p.lower:g}{unit}.",
-            field=p.name, value=f"{border:.4g}{unit}",
+            f"{p.name} is {border:.10g}{unit}, below its limit of {p.lower:g}{unit}.",
+            field=p.name, value=f"{border:.10g}{unit}",
             mend=f"Raise {p.name} to {p.lower:g}{unit} or more.",
         )  # fmt: skip
     if p.upper is not None and border > p.upper + slack:
         raise DesignError(
-            f"{p.name} is {border:.4g}{unit}, above its limit of {p.upper:g}{unit}.",
-            field=p.name, value=f"{border:.4g}{unit}",
+            f"{p.name} is {border:.10g}{unit}, above its limit of {p.upper:g}{unit}.",
+            field=p.name, value=f"{border:.10g}{unit}",
             mend=f"Lower {p.name} to {p.upper:g}{unit} or less.",
         )  # fmt: skip
 

@@ -27,7 +27,12 @@ from actuators.mechanics.rod import (
     rod_of,
     weightless,
 )
-from actuators.mechanics.rod.effects import closed_form_effects, rod_effects, strain_notes
+from actuators.mechanics.rod.effects import (
+    closed_form_effects,
+    rod_effects,
+    small_strain_limit,
+    strain_notes,
+)
 from actuators.mechanics.scene import Scene
 
 STEPS = 20
@@ -99,6 +104,7 @@ def _energy(
         newton_iterations=path.iterations,
         effects=rod_effects(scene, path, floating, design.length, cost=ended - solved),
         notes=(*notes, *strain_notes(row.largest_strain, float(last))),
+        trusted_to=small_strain_limit(row.largest_strain, float(last)),
         timings={"cell": solved - begun, "rod": ended - solved},
     )
 

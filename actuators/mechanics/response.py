@@ -116,7 +116,8 @@ class Response:
 
     ``path`` starts at zero pressure (after gravity). ``error_estimate`` is a fraction of the tip's
     displacement, None where the rung has none. ``notes`` are findings a designer must read (walls
-    overlap by 0.4 mm, ...). ``timings`` [s] by stage.
+    overlap by 0.4 mm, ...). ``trusted_to`` is the pressure up to which the rung's own assumptions
+    hold [Pa], None where they hold on the whole path. ``timings`` [s] by stage.
     """
 
     design: Design
@@ -128,6 +129,7 @@ class Response:
     centreline: Centreline | None = None
     surface: SurfaceFields | None = None
     error_estimate: float | None = None
+    trusted_to: float | None = None
     wall_s: float = 0.0
     unknowns: int = 0
     newton_iterations: int = 0
@@ -145,6 +147,7 @@ class Response:
             "advice": self.advice,
             "path": [p.to_document() for p in self.path],
             "error_estimate_percent": _finite(self.error_estimate, 100.0),
+            "trusted_to_kPa": _finite(self.trusted_to, 1e-3),
             "wall_s": self.wall_s,
             "unknowns": self.unknowns,
             "newton_iterations": self.newton_iterations,

@@ -41,7 +41,8 @@ class Scene:
             math.isfinite(g) and abs(g) <= 1e4 for g in self.gravity
         ):
             raise SceneError(
-                f"gravity is {self.gravity}; its three components must be finite, in m/s2.",
+                f"gravity is {self.gravity}; its three components must be finite and at most "
+                "10000 m/s2 in size.",
                 field="gravity", value=str(self.gravity), mend="Use (0, 0, -9.81) or null.",
             )  # fmt: skip
 

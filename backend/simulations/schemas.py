@@ -54,6 +54,10 @@ class ResultDocument(Answer):
     advice: str | None = Field(description="What to do about an early end")
     path: list[PathPoint] = Field(description="From zero pressure on, after gravity")
     error_estimate_percent: float | None = Field(description="Of the tip's displacement [%]")
+    trusted_to_kPa: float | None = Field(
+        default=None,
+        description="The rung's own assumptions hold up to here [kPa]; null: on the whole path",
+    )
     wall_s: float | None = Field(description="Time of the solve [s]")
     unknowns: int
     newton_iterations: int
