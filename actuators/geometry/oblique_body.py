@@ -1,4 +1,4 @@
-"""Oblique design to body (G, Fig. 2; heights as corrected in the physics notes, section 3)."""
+"""Oblique design to body (G, Fig. 2; heights as corrected in docs/theory.md)."""
 
 from collections.abc import Callable
 

@@ -1,7 +1,7 @@
 """Rung 1: closed form, an equivalent section in pure bending. Below a millisecond, order of
 magnitude.
 
-In the spirit of the cantilever theory of P (section 4 of the physics notes), but not its formula
+In the spirit of the cantilever theory of P (docs/theory.md), but not its formula
 (16), which belongs to the printed family: pressure on the chamber's cross-section, times its lever
 arm about the section's neutral axis, bends the section through the chamber,
 

@@ -72,7 +72,7 @@ class PredictRequest(Body):
     design: DesignDocument
     scene: SceneDocument
     rung: InstantRung = "energy"
-    c: Literal["computed", "published"] | Annotated[float, Field(gt=0, le=100)] = Field(
+    c: Literal["computed", "published"] | Annotated[float, Field(gt=0, le=10000)] = Field(
         default="computed",
         description="Constant of the energy model: computed from the cell, the published one, or "
         "a number (dimensionless)",

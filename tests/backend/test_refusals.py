@@ -176,7 +176,7 @@ def test_wrong_requests_are_422_in_the_same_form(
 
 @pytest.mark.parametrize(
     ("c", "reason"),
-    [(1000, "less than or equal to 100"), ("mine", "'published'"), ({"a": 1}, "c is")],
+    [(1e5, "less than or equal to 10000"), ("mine", "'published'"), ({"a": 1}, "c is")],
 )
 def test_an_entry_that_may_be_of_two_kinds_is_named_as_it_was_sent(
     client: TestClient, c: Any, reason: str

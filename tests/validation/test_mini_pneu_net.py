@@ -68,7 +68,7 @@ def test_error_falls_with_every_direction_that_is_graded(
 ) -> None:
     system, path = coarse
     whole = abs(-tip(system, path.points[-1].state.displacement)[2] / REFERENCE_TIP - 1)
-    # fe_engine notes: 6.2 % on 61 elements, 3.0 % with layers along the length
+    # an independent engine: 6.2 % on 61 elements, 3.0 % with layers along the length
     assert whole == pytest.approx(0.062, abs=0.001)
     assert nested_error(coarse, (1, 0, 0)) == pytest.approx(0.030, abs=0.001)
     assert nested_error(coarse, (1, 1, 0)) < 0.02

@@ -1,4 +1,4 @@
-"""Numbers of the physics notes for the papers' own actuators (minutes: not part of `make test`)."""
+"""Numbers of an independent engine for the papers' own actuators (minutes: `make test-all`)."""
 
 import math
 
@@ -15,7 +15,7 @@ from actuators.mechanics.scene import Scene
     ("layers", "droop_deg", "limit_kPa"), [((4, 6, 6), 23, 10.6), ((3, 6, 3), 37, 7.9)]
 )
 def test_slab_droops_and_finds_its_limit(layers, droop_deg: float, limit_kPa: float) -> None:
-    """Physics notes, section 1 (neo-Hooke top layer)."""
+    """An independent engine (neo-Hooke top layer)."""
     design = preset("slab-rectangle-low").design.changed(
         bottom_thickness=layers[0], chamber_height=layers[1], roof_thickness=layers[2],
         top_material="ecoflex-00-30-neo-hooke",
@@ -29,7 +29,7 @@ def test_slab_droops_and_finds_its_limit(layers, droop_deg: float, limit_kPa: fl
 
 @pytest.mark.slow
 def test_oblique_90_bends_as_the_notes_computed() -> None:
-    """Physics notes, section 3: 1.90 /m per kPa at first, without channel and gravity."""
+    """An independent engine: 1.90 /m per kPa at first, without channel and gravity."""
     design = preset("oblique-90").design.changed(channel_width=0)
     found = solve(design, Scene(pressure_to=1e3, steps=2, gravity=None), accuracy=0.5)
     line = found.centreline

@@ -228,7 +228,7 @@ class PathFollower:
                 share = (goal - last.pressure) / (result.pressure - last.pressure)
                 start = last.state.moved(share, difference(result.state, last.state))
                 there = self._solve(start, Target(goal))
-                if isinstance(there, Equilibrium):
+                if isinstance(there, Equilibrium) and not there.negative_eigenvalues:
                     return [last, there]
                 goal = np.inf  # an unstable stretch: leave it to the volume
             self._watch(result.pressure)

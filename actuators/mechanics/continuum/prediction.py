@@ -52,7 +52,7 @@ def combine(states: Sequence[State], weights: Sequence[float]) -> State:
 
 
 def predict(history: list[Equilibrium], pressure: float) -> State:
-    """Extrapolation of the last states (up to three) to ``pressure``."""
+    """Extrapolation of the last states (up to two) to ``pressure``."""
     recent = history[-PREDICTOR_STATES:]
     weights = lagrange_weights([e.pressure for e in recent], pressure)
     return combine([e.state for e in recent], weights)

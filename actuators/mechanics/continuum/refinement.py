@@ -60,21 +60,34 @@ class Refinement:
         self._stop, self._watch = stop, watch
         self._shared = shared_points(path)
         self._starts = [_prolong(coarse, fine, e.state) for e in path.points[: self._shared]]
+        self._marched: dict[int, Equilibrium] = {}
         self.iterations = 0
 
     def anchor(self, previous: Anchor) -> Anchor | None:
         """The anchor on the finer mesh, started from a coarser one; None where not found."""
         last = self._shared - 1
         found = self._at(last, _prolong(previous.system, self._fine, previous.found.state))
-        earlier = last // 2
-        while found is None and earlier > 0 and self._stop() is None:
-            # a point where less is deformed is easier, and its correction helps
-            easier = self._at(earlier, self._starts[earlier])
-            if easier is not None:
-                correction = _minus(easier.state, self._starts[earlier])
-                found = self._at(last, self._starts[last].moved(1.0, correction))
-            earlier //= 2
+        if found is None and self._stop() is None:
+            found = self._march(last)
         return Anchor(self._fine, found) if found is not None else None
+
+    def _march(self, last: int) -> Equilibrium | None:
+        """The anchor by way of easier points, each started with the correction of the one before
+        it: where less is deformed, the finer mesh is nearer to the coarse one."""
+        found = self._at(0, self._starts[0])
+        at, step = 0, max(1, last // 4)
+        while found is not None and at < last:
+            self._marched[at] = found
+            goal = min(last, at + step)
+            correction = _minus(found.state, self._starts[at])
+            result = self._at(goal, self._starts[goal].moved(1.0, correction))
+            if result is not None:
+                at, found, step = goal, result, 2 * step
+            elif step == 1 or self._stop() is not None:
+                return None
+            else:
+                step //= 2
+        return found
 
     def beyond(
         self, anchor: Anchor, pressure_to: float, report: Sequence[float] | None
@@ -96,10 +109,12 @@ class Refinement:
     def whole_path(self, anchor: Anchor, rest: Path | None) -> Refined:
         """All points, from the anchor backwards, each started with the correction of the one
         before it; then ``rest``."""
-        found: dict[int, Equilibrium] = {self._shared - 1: anchor.found}
+        found: dict[int, Equilibrium] = {**self._marched, self._shared - 1: anchor.found}
         points = _choose(self._shared, self._fine.unknowns)
         for done, index in enumerate(points[::-1][1:], 1):
-            nearest = min(found)
+            if index in found:
+                continue
+            nearest = min(i for i in found if i > index)
             correction = _minus(found[nearest].state, self._starts[nearest])
             result = self._at(index, self._starts[index].moved(1.0, correction))
             if result is None and self._stop() is None:

@@ -112,6 +112,8 @@ def _coarse_path(level: _Level, scene: Scene, monitor: Monitor) -> Path:
         share = pressure / scene.pressure_to if scene.pressure_to > 0 else 1.0
         monitor.report(SHARE_OF_PATH * share, f"coarse mesh at {pressure / 1e3:.3g} kPa", pressure)
 
+    first = "own weight" if scene.gravity is not None else "first pressure step"
+    monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
     follower = PathFollower(level.system, level.solver, stop=monitor.stop, watch=watch)
     return follower.follow(scene.pressure_to, _report(scene))
 

@@ -1,4 +1,4 @@
-"""Energy model of one chamber (G, 1 to 11, corrected as in the physics notes, section 3).
+"""Energy model of one chamber (G, 1 to 11, corrected as in docs/theory.md).
 
 Strains in a principal frame at phi from the axis, i = 1 along it and 2 across, z from the
 underside:

@@ -41,7 +41,7 @@ def oblique_layers(
 ) -> Layers:
     """Layers of oblique designs; all arguments broadcast against each other [m, rad, Pa].
 
-    G, Fig. 2b, with the bounds of (4) corrected (physics notes, section 3): bottom over the whole
+    G, Fig. 2b, with the bounds of (4) corrected (docs/theory.md): bottom over the whole
     pitch; foot over 2 (t1 + t2); separate walls over 2 t2; roof over 2 (t2 + t3). Side walls, which
     the paper leaves out, close the chambers. The air channel is left out.
     """

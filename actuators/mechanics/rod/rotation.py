@@ -53,7 +53,7 @@ def skew(vector: np.ndarray) -> np.ndarray:
 
 def helix(bending: np.ndarray, torsion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Radius and pitch [m] of the helix with curvature ``bending`` and ``torsion`` [1/m] (G, 24 and
-    25 in the form of the physics notes): R = |beta|/alpha^2, P = 2 pi |tau|/alpha^2 with alpha^2 =
+    25 in the form of docs/theory.md): R = |beta|/alpha^2, P = 2 pi |tau|/alpha^2 with alpha^2 =
     beta^2 + tau^2. A straight rod has infinite radius; 1/R = alpha^2/|beta| diverges at beta = 0
     (the rod twists about itself), where R = 0."""
     bending, torsion = np.abs(bending), np.abs(torsion)

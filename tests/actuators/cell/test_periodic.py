@@ -87,7 +87,7 @@ def test_a_long_gapped_bar_gains_the_cells_curvature_with_every_chamber() -> Non
 
 
 def test_oblique_90_bends_as_the_published_dimensions_do_in_three_dimensions() -> None:
-    """1.90 /m per kPa: the physics notes' 3D FE, 27 Q2/P1 elements a chamber. Separate chambers.
+    """1.90 /m per kPa: 3D FE of another engine, 27 Q2/P1 elements a chamber. Separate chambers.
     That mesh is 1 to 3 % softer than a converged one, this one 1 %."""
     cell = answer(preset("oblique-90").design.changed(channel_width=0))
     assert cell.free[2] * 1e3 == pytest.approx(1.90, rel=0.04)

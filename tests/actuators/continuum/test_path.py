@@ -32,7 +32,7 @@ def follow_mini(pressure_to: float, report: list[float] | None = None):
 def test_limit_point_is_found_and_passed_by_volume() -> None:
     _, path = follow_mini(25e3)
     assert path.outcome is Outcome.LIMIT_POINT
-    # fe_engine notes: 17.04 kPa at V/V0 = 3.35 on this mesh; V is flat there
+    # an independent engine found 17.04 kPa at V/V0 = 3.35 on this mesh; V is flat there
     assert path.points[-1].pressure == pytest.approx(17.04e3, abs=0.02e3)
     assert path.points[-1].volume / path.points[0].volume == pytest.approx(3.35, abs=0.06)
     assert path.beyond is not None

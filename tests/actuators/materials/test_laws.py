@@ -56,7 +56,7 @@ def test_ogden_with_alpha_2_is_neo_hooke() -> None:
 
 
 def test_bellows_sets_have_the_moduli_that_fix_their_convention() -> None:
-    # physics notes, section 5: 17.1 and 10.4 MPa in the work-conjugate convention
+    # the papers themselves imply 17.1 and 10.4 MPa in the work-conjugate convention
     assert 3 * CATALOGUE["ninjaflex-ogden-002"].shear_modulus == pytest.approx(17.1e6, rel=5e-3)
     assert 3 * CATALOGUE["ninjaflex-ogden-005"].shear_modulus == pytest.approx(10.4e6, rel=5e-3)
     assert Ogden(((-1214e6, -0.0054),), "classical").initial_shear_modulus < 0

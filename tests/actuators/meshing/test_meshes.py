@@ -63,7 +63,7 @@ def test_volume_of_the_ellipse_is_right_to_the_order_of_its_arcs() -> None:
     x = np.linspace(0, design.length, 200_001)
     area = 2 * np.trapezoid(design.half_width(x), x)
     mesh = mesh_body(build_body(design))
-    # quadratic nodes on the arc: relative error 3e-5 or less (fe_engine notes)
+    # quadratic nodes on the arc: relative error 3e-5 or less
     assert region_volumes(mesh)[0] == pytest.approx(design.bottom_thickness * area, rel=3e-5)
 
 
