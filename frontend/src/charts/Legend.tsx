@@ -1,6 +1,9 @@
-import type { Curve } from "./curve";
+import { splitAtTrust, type Curve } from "./curve";
+import { PALE } from "./draw";
 
 export function ChartLegend({ curves }: { curves: readonly Curve[] }) {
+  const beyond = curves.filter((curve) => splitAtTrust(curve).beyond.length > 1);
+  const [only] = beyond;
   return (
     <ul className="chart-legend">
       {curves.map((curve) => (
@@ -22,6 +25,23 @@ export function ChartLegend({ curves }: { curves: readonly Curve[] }) {
           {curve.label}
         </li>
       ))}
+      {only && (
+        <li title="Beyond the pressure up to which the model's assumptions hold">
+          <svg width="20" height="8" aria-hidden="true">
+            <line
+              x1="0"
+              x2="20"
+              y1="4"
+              y2="4"
+              stroke={`var(${beyond.length === 1 ? only.color : "--muted"})`}
+              strokeWidth="1.6"
+              strokeDasharray="3 4"
+              strokeOpacity={PALE}
+            />
+          </svg>
+          beyond its range
+        </li>
+      )}
     </ul>
   );
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { PathPoint, Result } from "../api/types";
-import { anglePoints, pointAt, tipPoints, valueAt } from "./curve";
+import { anglePoints, pointAt, tipPoints, valueAt, splitAtTrust } from "./curve";
 import { equalRanges, freeRanges } from "./scales";
 
 function point(pressure: number, angle: number, stretch: number | null = null): PathPoint {
@@ -16,6 +16,7 @@ function point(pressure: number, angle: number, stretch: number | null = null): 
 function result(path: PathPoint[]): Result {
   return {
     design: {}, scene: {}, rung: "energy", outcome: "converged", advice: null, path, error_estimate_percent: null,
+    trusted_to_kPa: null,
     wall_s: null, unknowns: 0, newton_iterations: 0, effects: [], assumptions: [], notes: [],
   };
 }
@@ -69,5 +70,22 @@ describe("ranges of plots", () => {
   it("exist without any points", () => {
     expect(freeRanges([]).x[1]).toBeGreaterThan(0);
     expect(Number.isFinite(equalRanges([], 100, 100).x[0])).toBe(true);
+  });
+});
+
+describe("the end of what a model is meant for", () => {
+  const points = [0, 2, 4].map((pressure) => ({ x: pressure, y: 10 * pressure, pressure }));
+  const curve = { id: "c", label: "Instant", color: "--c", points, style: "line" as const };
+
+  it("parts the curve at that very pressure", () => {
+    const { within, beyond } = splitAtTrust({ ...curve, trustedTo: 3 });
+    expect(within.map((point) => point.pressure)).toEqual([0, 2, 3]);
+    expect(beyond.map((point) => point.pressure)).toEqual([3, 4]);
+    expect(beyond[0]?.y).toBe(30);
+  });
+
+  it("leaves a curve whole that ends before it, or has none", () => {
+    expect(splitAtTrust({ ...curve, trustedTo: 4 }).beyond).toEqual([]);
+    expect(splitAtTrust({ ...curve, trustedTo: null }).within).toEqual(points);
   });
 });

@@ -15,6 +15,24 @@ export interface Curve {
   points: readonly CurvePoint[];
   style: "line" | "dashed" | "dots";
   faded?: boolean;
+  /** The model's assumptions hold up to this pressure [kPa]; drawn dashed and paler beyond it. */
+  trustedTo?: number | null;
+}
+
+/** Whether a pressure lies where the answer's own assumptions no longer hold. */
+export function isBeyondTrust(result: Result, pressure: number): boolean {
+  return result.trusted_to_kPa !== null && pressure > result.trusted_to_kPa * (1 + 1e-6);
+}
+
+/** The points up to the trusted pressure and those beyond it; both hold the point between. */
+export function splitAtTrust(curve: Curve): { within: readonly CurvePoint[]; beyond: readonly CurvePoint[] } {
+  const { points, trustedTo = null } = curve;
+  if (trustedTo === null) return { within: points, beyond: [] };
+  const first = points.findIndex((point) => point.pressure > trustedTo);
+  if (first < 0) return { within: points, beyond: [] };
+  const border = pointAt(points, trustedTo);
+  const shared = border ? [border] : [];
+  return { within: [...points.slice(0, first), ...shared], beyond: [...shared, ...points.slice(first)] };
 }
 
 export function anglePoints(result: Result): CurvePoint[] {

@@ -2,7 +2,10 @@
 import type uPlot from "uplot";
 
 import { token } from "../theme/theme";
-import { pointAt, type Curve, type CurvePoint } from "./curve";
+import { pointAt, splitAtTrust, type Curve, type CurvePoint } from "./curve";
+
+/** Of a curve beyond the pressures its model is meant for. */
+export const PALE = 0.5;
 
 type Place = (point: { x: number; y: number }) => [number, number];
 
@@ -47,7 +50,14 @@ export function drawCurves(u: uPlot, curves: readonly Curve[]): void {
       ctx.strokeStyle = color;
       ctx.lineWidth = (curve.style === "dots" ? 1.2 : 2) * ratio;
       ctx.setLineDash(curve.style === "dashed" ? [6 * ratio, 4 * ratio] : []);
-      strokeLine(ctx, curve.points, place);
+      const { within, beyond } = splitAtTrust(curve);
+      strokeLine(ctx, within, place);
+      if (beyond.length > 1) {
+        ctx.globalAlpha *= PALE;
+        ctx.lineWidth = 1.6 * ratio;
+        ctx.setLineDash([3 * ratio, 4 * ratio]);
+        strokeLine(ctx, beyond, place);
+      }
       ctx.setLineDash([]);
       if (curve.style !== "dots") continue;
       ctx.fillStyle = token("--panel");

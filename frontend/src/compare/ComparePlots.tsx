@@ -10,7 +10,8 @@ function sideCurves(side: ComparedSide, which: "left" | "right", points: typeof 
   const curves: Curve[] = [];
   if (side.instant_result) {
     const style = which === "left" ? "line" : "dashed";
-    curves.push({ id: `${which}-instant`, label: name, color, points: points(side.instant_result), style });
+    const { trusted_to_kPa: trustedTo } = side.instant_result;
+    curves.push({ id: `${which}-instant`, label: name, color, points: points(side.instant_result), style, trustedTo });
   }
   if (side.fe_result) {
     curves.push({ id: `${which}-fe`, label: `${name}, FE`, color, points: points(side.fe_result), style: "dots" });

@@ -4,7 +4,7 @@ import { Icon } from "../ui/Icon";
 import { formatQuantity, formatSeconds, sentence } from "../ui/numbers";
 import { answers } from "../workbench/answers";
 import type { ShownFe } from "./shown";
-import { outcomeInWords } from "./words";
+import { endInWords } from "./words";
 
 export function useNoteCount(result: Result, fe: ShownFe | null): number {
   return result.notes.length + result.assumptions.length + (fe?.result.notes.length ?? 0);
@@ -71,7 +71,7 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
     <section>
       <h3 className={className}>{title}</h3>
       <p className={result.outcome === "converged" ? "" : "early-end"} data-testid="outcome">
-        {result.outcome !== "converged" && <Icon name="warning" size={13} />} {outcomeInWords(result.outcome)}
+        {result.outcome !== "converged" && <Icon name="warning" size={13} />} {endInWords(result)}
         {result.outcome !== "converged" && reached !== null && reached !== undefined
           ? ` Last point at ${formatQuantity(reached)} kPa.`
           : ""}

@@ -1,9 +1,10 @@
 import { useState } from "react";
 
 import { useStore, usePick } from "../api/store";
-import { anglePoints, tipPoints, type Curve } from "../charts/curve";
+import { anglePoints, isBeyondTrust, tipPoints, type Curve } from "../charts/curve";
 import { CurveChart } from "../charts/CurveChart";
 import { ChartLegend } from "../charts/Legend";
+import { Icon } from "../ui/Icon";
 import { Busy, Empty } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
 import { answers, isStale } from "../workbench/answers";
@@ -12,8 +13,9 @@ import { scrubber, scrubToPressure, shownPressure } from "../workbench/scrubber"
 import { bench } from "../workbench/workbench";
 import { ModelNotes, useNoteCount } from "./ModelNotes";
 import { NumbersTable } from "./NumbersTable";
+import { BENDING_ANGLE } from "./quantities";
 import { useShownFe, type ShownFe } from "./shown";
-import { feLabel } from "./words";
+import { feLabel, kPa } from "./words";
 import type { Result } from "../api/types";
 
 /** Plots and numbers: the instant answer, and the finite-element answer over it. */
@@ -53,7 +55,7 @@ interface PlotsProps {
 
 function curvesOf({ result, fe, stale }: PlotsProps, points: typeof anglePoints): Curve[] {
   const curves: Curve[] = [
-    { id: "instant", label: "Instant", color: "--series-instant", points: points(result), style: "line", faded: stale },
+    { id: "instant", label: "Instant", color: "--series-instant", points: points(result), style: "line", faded: stale, trustedTo: result.trusted_to_kPa },
   ];
   if (fe) {
     curves.push({
@@ -68,14 +70,20 @@ function curvesOf({ result, fe, stale }: PlotsProps, points: typeof anglePoints)
   return curves;
 }
 
+const STALE_MARK = (
+  <span className="stale-mark" role="status" data-testid="stale-answer">
+    <Icon name="warning" size={12} /> last answer, not this design
+  </span>
+);
+
 function Plots(props: PlotsProps) {
   const angle = curvesOf(props, anglePoints);
   const tip = curvesOf(props, tipPoints);
   return (
     <div className="plots">
       <div className="plot-head">
-        <h2>Bending angle (°)</h2>
-        <ChartLegend curves={angle} />
+        <h2 title={BENDING_ANGLE}>Bending angle (°)</h2>
+        {props.stale ? STALE_MARK : <ChartLegend curves={angle} />}
       </div>
       <CurveChart
         curves={angle}
@@ -88,7 +96,7 @@ function Plots(props: PlotsProps) {
       />
       <div className="plot-head">
         <h2 title="Path of the middle of the free end's bottom edge, as pressure rises">Tip trajectory, X₃ (mm)</h2>
-        {props.stale && <span className="stale-mark">last answer, not this design</span>}
+        {props.stale && <ChartLegend curves={angle} />}
       </div>
       <CurveChart
         curves={tip}
@@ -108,6 +116,8 @@ type Tab = "numbers" | "model";
 function Details(props: { result: Result; fe: ShownFe | null; pressure: number | null; totalMs: number | null }) {
   const [tab, setTab] = useState<Tab>("numbers");
   const count = useNoteCount(props.result, props.fe);
+  const { trusted_to_kPa: trustedTo } = props.result;
+  const at = props.pressure ?? props.result.path.at(-1)?.pressure_kPa ?? 0;
   return (
     <div className="details">
       <div className="details-head">
@@ -127,6 +137,17 @@ function Details(props: { result: Result; fe: ShownFe | null; pressure: number |
           </span>
         )}
       </div>
+      {trustedTo !== null && isBeyondTrust(props.result, at) && tab === "numbers" && (
+        <button
+          type="button"
+          className="stale-mark beyond-range"
+          title="The linear model's assumptions do not hold at this pressure. Read the notes."
+          data-testid="beyond-range"
+          onClick={() => setTab("model")}
+        >
+          <Icon name="warning" size={12} /> Instant: beyond its range ({kPa(trustedTo)})
+        </button>
+      )}
       <div className="details-body">
         {tab === "numbers" ? (
           <NumbersTable result={props.result} fe={props.fe} pressure={props.pressure} />

@@ -10,13 +10,16 @@ export interface Quantity {
   value: (point: PathPoint) => number | null | undefined;
 }
 
+export const BENDING_ANGLE =
+  "Bending angle: between X₁ and the straight line from the clamp to the tip point; positive towards the bottom layer.";
+
 export const QUANTITIES: readonly Quantity[] = [
   {
     name: "bending_angle",
     label: "Bending angle",
     symbol: "θ",
     unit: "°",
-    help: "Line from the clamp to the tip point against X1; positive towards the bottom layer.",
+    help: BENDING_ANGLE,
     value: (point) => point.bending_angle_deg,
   },
   {
@@ -24,7 +27,7 @@ export const QUANTITIES: readonly Quantity[] = [
     label: "Tip rotation",
     symbol: "φ",
     unit: "°",
-    help: "Rotation of the end face about X2.",
+    help: "Tip rotation: how far the face at the free end has turned about X₂.",
     value: (point) => point.tip_rotation_deg,
   },
   ...([1, 2, 3] as const).map((axis) => ({

@@ -1,5 +1,6 @@
 /** Outcomes and rungs in words. */
-import type { Job } from "../api/types";
+import type { Job, Result } from "../api/types";
+import { formatQuantity } from "../ui/numbers";
 
 const OUTCOMES: Record<string, string> = {
   converged: "Reached the full pressure.",
@@ -11,6 +12,18 @@ const OUTCOMES: Record<string, string> = {
 
 export function outcomeInWords(outcome: string): string {
   return OUTCOMES[outcome] ?? outcome.replaceAll("_", " ");
+}
+
+/** How an answer ended. A linear model reaches every pressure, so that it says nothing to have reached it. */
+export function endInWords(result: Result): string {
+  if (result.rung !== "energy" || result.outcome !== "converged") return outcomeInWords(result.outcome);
+  if (result.trusted_to_kPa === null) return "Linear model, within its range at every pressure shown.";
+  return `Linear model, meant for less than ${kPa(result.trusted_to_kPa)}.`;
+}
+
+/** A pressure to read: "3.8 kPa". */
+export function kPa(pressure: number): string {
+  return `${formatQuantity(pressure, pressure < 10 ? 2 : 3)} kPa`;
 }
 
 export function percent(fraction: number): string {

@@ -19,7 +19,11 @@ export function ColourLegend({ content, busy }: { content: ViewContent | null; b
       <div className="colour-bar" style={{ background: `linear-gradient(to right, ${stops.join(", ")})` }} />
       <div className="colour-marks">
         {MARKS.map((mark) => (
-          <span key={mark} style={{ left: `${mark * 100}%` }}>
+          <span
+            key={mark}
+            title={mark === 1 && legend.clipped ? "A few values lie above the scale" : undefined}
+            style={{ left: `${mark * 100}%` }}>
+            {mark === 1 && legend.clipped && "≥ "}
             {formatQuantity(legend.lower + mark * span, 3)}
           </span>
         ))}
