@@ -1,6 +1,6 @@
 import type { DimensionLine } from "../api/types";
 import type { Pixel } from "./layout";
-import { placeLabel } from "./label";
+import { placeLabel, type NamePlate } from "./label";
 
 const HEAD = 6;
 /** Below this length [px] the arrows stand outside and point inwards. */
@@ -12,15 +12,16 @@ interface DimensionMarkProps {
   text: string;
   /** Where the text must stay [px]. */
   bounds: { width: number; height: number };
+  plates: readonly NamePlate[];
 }
 
 /** A dimension line with arrowheads, witness lines and its value. */
-export function DimensionMark({ line, place, text, bounds }: DimensionMarkProps) {
+export function DimensionMark({ line, place, text, bounds, plates }: DimensionMarkProps) {
   const from = place(line.from);
   const to = place(line.to);
   const centre = line.centre ? place(line.centre) : null;
   const anchor = line.anchors[0];
-  const label = placeLabel(from, to, text, bounds, anchor ? place(anchor) : null);
+  const label = placeLabel(from, to, text, bounds, anchor ? place(anchor) : null, plates);
   return (
     <g className="dimension" data-kind={line.kind}>
       {line.kind !== "angle" && <Witness line={line} place={place} from={from} to={to} />}

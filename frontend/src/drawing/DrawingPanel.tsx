@@ -12,6 +12,7 @@ import { answers } from "../workbench/answers";
 import { readDesign, spell } from "../workbench/document";
 import { capital } from "../ui/numbers";
 import { DimensionMark } from "./DimensionMark";
+import { namePlate } from "./label";
 import { clampSpan, layOut, toPixel, type Layout } from "./layout";
 
 /** Section and planform; the dimension in focus or under the pointer is drawn in. */
@@ -113,6 +114,7 @@ function Marks(props: {
     .map((part) => part.base + subscript(part.sub))
     .join("/");
   const text = value === undefined ? symbol : `${symbol ? `${symbol} = ` : ""}${spell(parameter, value)}`;
+  const plates = layout.views.map((placed) => namePlate(placed.top));
   return (
     <g data-testid="dimension" data-parameter={parameter.name}>
       {check.drawing.dimensions
@@ -121,7 +123,7 @@ function Marks(props: {
           const placed = layout.views.find((each) => each.name === line.view);
           if (!placed) return null;
           const place = (point: readonly number[]) => toPixel(placed, layout.scale, point);
-          return <DimensionMark key={index} line={line} place={place} text={text} bounds={size} />;
+          return <DimensionMark key={index} line={line} place={place} text={text} bounds={size} plates={plates} />;
         })}
     </g>
   );

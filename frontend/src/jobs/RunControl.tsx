@@ -11,7 +11,7 @@ import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { Segmented } from "../ui/Segmented";
 import { showToast } from "../ui/toasts";
-import { answers } from "../workbench/answers";
+import { answers, isRefused } from "../workbench/answers";
 import { ensureSaved } from "../workbench/opening";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
@@ -37,7 +37,7 @@ export function RunControl() {
     if (!timeline) return false;
     return timeline.present.origin.kind === "preset" || isChanged(timeline.present);
   });
-  const refused = usePick(answers, (now) => (now.designProblem ?? now.sceneProblem) !== null);
+  const refused = usePick(answers, isRefused);
   const { data: health } = useHealth();
   const run = useMutation({
     mutationFn: () => submit(accuracy),

@@ -9,7 +9,7 @@ import { Busy, Notice } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
 import { answers } from "../workbench/answers";
 import { familyOf, type DesignDocument, type Work } from "../workbench/document";
-import { bench, setParameters } from "../workbench/workbench";
+import { bench, lastEdited, setParameters } from "../workbench/workbench";
 import { densityOf, densityValues } from "./density";
 import { ParameterRow } from "./ParameterRow";
 import { Problem } from "./Problem";
@@ -21,6 +21,7 @@ export function ParameterPanel() {
   const query = useQuery(families);
   const present = usePick(bench, (timeline) => timeline?.present ?? null);
   const { designProblem, sceneProblem } = useStore(answers);
+  const edited = useStore(lastEdited);
   if (query.error) {
     return (
       <Notice tone="bad" action={<Button onClick={() => void query.refetch()}>Try again</Button>}>
@@ -34,20 +35,33 @@ export function ParameterPanel() {
   if (!family) return <Notice tone="bad">This design belongs to a family that this version does not know.</Notice>;
   const parameters = family.parameters.filter((parameter) => isRelevant(parameter.name, work.design));
   const problem = designProblem ?? sceneProblem;
+  const named = problem && placeOf(problem, parameters);
   return (
     <div className="parameters" data-testid="parameters">
-      {problem && !isPlaced(problem, parameters) && (
+      {problem && !named && (
         <Notice tone="bad" testId="problem-general">
           <Problem id="problem-general" problem={problem} name="design" />
         </Notice>
       )}
-      <SceneGroup work={work} baseline={baseline} problem={problem && isScene(problem) ? problem : null} />
+      <SceneGroup
+        work={work}
+        baseline={baseline}
+        problem={problem && isScene(problem) ? problem : null}
+        elsewhere={edited === "pressureTo" && named && named !== SCENE ? named : null}
+      />
       {groupsOf(parameters).map(([group, members]) => (
         <section className="parameter-group" key={group} aria-label={group}>
           <h3>{group}</h3>
           {group === "Chambers" && work.design.family === "slab" && <DensityRow design={work.design} />}
           {members.map((parameter) => (
-            <Row key={parameter.name} parameter={parameter} work={work} baseline={baseline} problem={problem} />
+            <Row
+              key={parameter.name}
+              parameter={parameter}
+              work={work}
+              baseline={baseline}
+              problem={problem}
+              elsewhere={edited === parameter.border_name && named?.name !== parameter.name ? named : null}
+            />
           ))}
         </section>
       ))}
@@ -55,8 +69,15 @@ export function ParameterPanel() {
   );
 }
 
-function Row(props: { parameter: Parameter; work: Work; baseline: Work; problem: ProblemDetail | null }) {
-  const { parameter, work, baseline, problem } = props;
+interface RowOf {
+  parameter: Parameter;
+  work: Work;
+  baseline: Work;
+  problem: ProblemDetail | null;
+  elsewhere: Place | null;
+}
+
+function Row({ parameter, work, baseline, problem, elsewhere }: RowOf) {
   const value = work.design[parameter.border_name] ?? parameter.default;
   const opened = baseline.design[parameter.border_name] ?? parameter.default;
   return (
@@ -65,6 +86,7 @@ function Row(props: { parameter: Parameter; work: Work; baseline: Work; problem:
       value={value}
       opened={opened}
       problem={problem && names(problem, parameter) ? problem : null}
+      elsewhere={elsewhere}
     />
   );
 }
@@ -113,6 +135,11 @@ function isScene(problem: ProblemDetail): boolean {
   return /pressure|steps|gravity/.test(problem.field);
 }
 
-function isPlaced(problem: ProblemDetail, parameters: readonly Parameter[]): boolean {
-  return isScene(problem) || parameters.some((parameter) => names(problem, parameter));
+type Place = Pick<Parameter, "name" | "label">;
+
+const SCENE: Place = { name: "pressure", label: "Pressure to" };
+
+/** The field that a refusal names; null where the page shows none. */
+function placeOf(problem: ProblemDetail, parameters: readonly Parameter[]): Place | null {
+  return isScene(problem) ? SCENE : (parameters.find((parameter) => names(problem, parameter)) ?? null);
 }

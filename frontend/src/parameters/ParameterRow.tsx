@@ -9,18 +9,20 @@ import { focusOn, hover } from "./attention";
 import { ChoiceControl } from "./ChoiceControl";
 import { MaterialControl } from "./MaterialControl";
 import { NumberControl } from "./NumberControl";
-import { Problem } from "./Problem";
+import { Problem, SeeOther } from "./Problem";
 
 interface RowProps {
   parameter: Parameter;
   value: Value;
   opened: Value;
   problem: ProblemDetail | null;
+  /** The field that is refused after this one was edited. */
+  elsewhere: { name: string; label: string } | null;
 }
 
 /** One parameter: name, control, and what is wrong with it. */
 export const ParameterRow = memo(function ParameterRow(props: RowProps) {
-  const { parameter, value, opened, problem } = props;
+  const { parameter, value, opened, problem, elsewhere } = props;
   const id = useId();
   const changed = value !== opened;
   const describedBy = problem ? `${id}-problem` : undefined;
@@ -44,6 +46,7 @@ export const ParameterRow = memo(function ParameterRow(props: RowProps) {
         onClick={() => setParameter(parameter.border_name, opened)}
       />
       {problem && <Problem id={`${id}-problem`} problem={problem} name={parameter.name} />}
+      {elsewhere && <SeeOther name={elsewhere.name} label={elsewhere.label} />}
     </div>
   );
 });

@@ -4,6 +4,19 @@ import { families } from "../api/queries";
 import type { ProblemDetail } from "../api/types";
 import { problemInWords } from "./problemInWords";
 
+/** At the field that was edited, where the refusal names another one. */
+export function SeeOther({ name, label }: { name: string; label: string }) {
+  const go = () => document.querySelector<HTMLElement>(`[data-testid="field-${CSS.escape(name)}"]`)?.focus();
+  return (
+    <p className="parameter-problem" data-testid="problem-elsewhere">
+      See{" "}
+      <button type="button" className="link" onClick={go}>
+        {label}
+      </button>
+    </p>
+  );
+}
+
 /** What is wrong with a parameter and how to mend it. */
 export function Problem({ id, problem, name }: { id: string; problem: ProblemDetail; name: string }) {
   const { data: list = [] } = useQuery(families);

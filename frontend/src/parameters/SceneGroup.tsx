@@ -5,16 +5,17 @@ import { Segmented } from "../ui/Segmented";
 import { Slider } from "../ui/Slider";
 import type { Work } from "../workbench/document";
 import { endGesture, setGravity, setPressureTo } from "../workbench/workbench";
-import { Problem } from "./Problem";
+import { Problem, SeeOther } from "./Problem";
 
 interface SceneGroupProps {
   work: Work;
   baseline: Work;
   problem: ProblemDetail | null;
+  elsewhere: { name: string; label: string } | null;
 }
 
 /** What loads the actuator: the pressure path and gravity. */
-export function SceneGroup({ work, baseline, problem }: SceneGroupProps) {
+export function SceneGroup({ work, baseline, problem, elsewhere }: SceneGroupProps) {
   const changed = work.pressureTo !== baseline.pressureTo;
   const top = Math.max(100, Math.ceil((baseline.pressureTo * 2) / 10) * 10, work.pressureTo);
   return (
@@ -57,6 +58,7 @@ export function SceneGroup({ work, baseline, problem }: SceneGroupProps) {
           onClick={() => setPressureTo(baseline.pressureTo)}
         />
         {problem && <Problem id="pressure-problem" problem={problem} name="pressure" />}
+        {elsewhere && <SeeOther name={elsewhere.name} label={elsewhere.label} />}
       </div>
       <div className={`parameter choice${work.gravity === baseline.gravity ? "" : " changed"}`} data-testid="parameter-gravity">
         <span className="parameter-name">

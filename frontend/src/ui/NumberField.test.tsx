@@ -22,7 +22,7 @@ describe("number field", () => {
     expect(commit.mock.calls).toEqual([[5.5]]);
   });
 
-  it("gives the old number back by Escape and for what is no number", () => {
+  it("keeps what is no number and says so until it is mended; Escape gives the old number back", () => {
     const commit = vi.fn();
     const input = field(commit);
     fireEvent.change(input, { target: { value: "9" } });
@@ -31,7 +31,15 @@ describe("number field", () => {
     fireEvent.change(input, { target: { value: "thick" } });
     expect(input.getAttribute("aria-invalid")).toBe("true");
     fireEvent.blur(input);
+    expect(input.value).toBe("thick");
+    expect(screen.getByRole("alert").textContent).toBe("Write a number in mm.");
+    fireEvent.change(input, { target: { value: "" } });
+    fireEvent.keyDown(input, { key: "Enter" });
+    expect(screen.getByRole("alert")).toBeTruthy();
+    fireEvent.keyDown(input, { key: "Escape" });
     expect(input.value).toBe("4");
+    expect(input.getAttribute("aria-invalid")).toBe("false");
+    expect(screen.queryByRole("alert")).toBeNull();
     expect(commit).not.toHaveBeenCalled();
   });
 
@@ -46,8 +54,20 @@ describe("number field", () => {
   it("keeps counts whole", () => {
     const commit = vi.fn();
     const input = field(commit, true);
-    fireEvent.change(input, { target: { value: "6.7" } });
+    fireEvent.change(input, { target: { value: "6.5" } });
     fireEvent.blur(input);
+    expect(screen.getByRole("alert").textContent).toBe("Write a whole number.");
+    expect(commit).not.toHaveBeenCalled();
+    fireEvent.change(input, { target: { value: "7" } });
+    fireEvent.keyDown(input, { key: "Enter" });
     expect(commit.mock.calls).toEqual([[7]]);
+  });
+
+  it("takes a quantity with a unit of its kind", () => {
+    const commit = vi.fn();
+    const input = field(commit);
+    fireEvent.change(input, { target: { value: "1,2 cm" } });
+    fireEvent.blur(input);
+    expect(commit.mock.calls).toEqual([[12]]);
   });
 });

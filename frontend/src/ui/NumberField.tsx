@@ -1,6 +1,7 @@
-import { useState } from "react";
+import { useId, useState } from "react";
 
-import { formatNumber, parseNumber } from "./numbers";
+import { formatNumber } from "./numbers";
+import { parseQuantity, refusalOf } from "./quantity";
 
 interface NumberFieldProps {
   value: number;
@@ -16,30 +17,44 @@ interface NumberFieldProps {
   testId?: string;
 }
 
-/** Text field for a number: Enter or leaving takes the value, Escape gives the old one back, the
- * arrow keys step (with Shift ten steps). */
-export function NumberField(props: NumberFieldProps) {
-  const [draft, setDraft] = useState<string | null>(null);
-  const shown = draft ?? formatNumber(props.value);
-  const unreadable = draft !== null && parseNumber(draft) === null;
+/** What is being typed, over which value, and whether it was tried and could not be taken. */
+interface Draft {
+  text: string;
+  over: number;
+  refused: boolean;
+}
 
-  function take(text: string): void {
-    const number = parseNumber(text);
+/** Text field for a number, or a number with a unit: Enter or leaving takes the value, Escape gives
+ * the old one back, the arrow keys step (with Shift ten steps). What cannot be read stays, marked. */
+export function NumberField(props: NumberFieldProps) {
+  const [kept, setDraft] = useState<Draft | null>(null);
+  const id = useId();
+  // A value that came from elsewhere (slider, undo, another design) ends what was being typed.
+  const draft = kept?.over === props.value ? kept : null;
+  const shown = draft?.text ?? formatNumber(props.value);
+  const refusal = draft && refusalOf(draft.text, props.unit, props.integer ?? false);
+  const said = draft?.refused ? refusal : null;
+
+  function take(): void {
+    if (!draft) return;
+    const value = parseQuantity(draft.text, props.unit);
+    if (refusal !== null || value === null) {
+      setDraft({ ...draft, refused: true });
+      return;
+    }
     setDraft(null);
-    if (number === null) return;
-    const value = props.integer ? Math.round(number) : number;
     if (value !== props.value) props.onCommit(value);
   }
 
   function nudge(direction: number, large: boolean): void {
-    const from = parseNumber(shown) ?? props.value;
+    const from = parseQuantity(shown, props.unit) ?? props.value;
     const next = from + direction * props.step * (large ? 10 : 1);
     setDraft(null);
     props.onCommit(Number(next.toPrecision(10)));
   }
 
-  return (
-    <span className={`number-field${props.invalid || unreadable ? " invalid" : ""}`}>
+  const field = (
+    <span className={`number-field${props.invalid || refusal ? " invalid" : ""}`}>
       <input
         type="text"
         inputMode="decimal"
@@ -47,19 +62,20 @@ export function NumberField(props: NumberFieldProps) {
         spellCheck={false}
         value={shown}
         aria-label={props.unit ? `${props.label} in ${props.unit}` : props.label}
-        aria-invalid={props.invalid ?? unreadable}
-        aria-describedby={props.describedBy}
+        aria-invalid={(props.invalid ?? false) || refusal !== null}
+        aria-describedby={[props.describedBy, said && id].filter(Boolean).join(" ") || undefined}
         data-testid={props.testId}
         onFocus={(event) => {
           event.currentTarget.select();
           props.onFocus?.();
         }}
-        onChange={(event) => setDraft(event.currentTarget.value)}
-        onBlur={() => {
-          if (draft !== null) take(draft);
+        onChange={(event) => {
+          // Once refused, the words stand until the text is mended.
+          setDraft({ text: event.currentTarget.value, over: props.value, refused: draft?.refused ?? false });
         }}
+        onBlur={take}
         onKeyDown={(event) => {
-          if (event.key === "Enter") take(shown);
+          if (event.key === "Enter") take();
           else if (event.key === "Escape") setDraft(null);
           else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
             event.preventDefault();
@@ -69,5 +85,15 @@ export function NumberField(props: NumberFieldProps) {
       />
       {props.unit && <span className="unit">{props.unit === "deg" ? "°" : props.unit}</span>}
     </span>
+  );
+  return (
+    <>
+      {field}
+      {said && (
+        <p className="field-refusal" id={id} role="alert">
+          {said}
+        </p>
+      )}
+    </>
   );
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { formatNumber, formatQuantity, formatSeconds, parseNumber, sentence } from "./numbers";
+import { parseQuantity } from "./quantity";
 import { subscript, symbolParts } from "./symbols";
 
 describe("numbers", () => {
@@ -8,6 +9,20 @@ describe("numbers", () => {
     expect(parseNumber(" 7,3 ")).toBe(7.3);
     expect(parseNumber("-.5")).toBe(-0.5);
     for (const text of ["", "4 mm", "1.2.3", "Infinity", "0x10", "1e999"]) expect(parseNumber(text)).toBeNull();
+  });
+
+  it("may carry a unit of the field's kind", () => {
+    expect(parseQuantity("12 cm", "mm")).toBe(120);
+    expect(parseQuantity("0.1m", "mm")).toBe(100);
+    expect(parseQuantity("4 mm", "mm")).toBe(4);
+    expect(parseQuantity("2 bar", "kPa")).toBe(200);
+    expect(parseQuantity("500 Pa", "kPa")).toBe(0.5);
+    expect(parseQuantity("45°", "deg")).toBe(45);
+    expect(parseQuantity("0.5 rad", "deg")).toBeCloseTo(28.6479, 4);
+    for (const text of ["2 kPa", "4 mm mm", "cm", "12 furlongs", "NaN", "3 constructor"]) {
+      expect(parseQuantity(text, "mm")).toBeNull();
+    }
+    expect(parseQuantity("6 mm", "")).toBeNull();
   });
 
   it("are written without what floating point leaves behind", () => {

@@ -36,6 +36,11 @@ const NOTHING: Answers = {
 
 export const answers = new Store<Answers>(NOTHING);
 
+/** Whether the design or its load cannot be answered as it stands. */
+export function isRefused(now: Answers): boolean {
+  return (now.designProblem ?? now.sceneProblem) !== null;
+}
+
 interface Question {
   work: Work;
   input: number;

@@ -9,6 +9,9 @@ import type { Timeline } from "./timeline";
 /** Null until the first design is open. */
 export const bench = new Store<Timeline | null>(null);
 
+/** The entry edited last, by border name; null after steps back and other designs. */
+export const lastEdited = new Store<string | null>(null);
+
 let slot = "new";
 let writing = 0;
 
@@ -34,6 +37,7 @@ function change(next: (timeline: Timeline) => Timeline): void {
 
 function editWork(key: string, next: (work: Work) => Work): void {
   markInput();
+  lastEdited.set(key);
   change((timeline) => timelines.edit(timeline, next(timeline.present.work), key, performance.now()));
 }
 
@@ -41,6 +45,7 @@ function editWork(key: string, next: (work: Work) => Work): void {
 export function lay(nextSlot: string, timeline: Timeline): void {
   persist();
   slot = nextSlot;
+  lastEdited.set(null);
   bench.set(timeline);
 }
 
@@ -87,11 +92,13 @@ export function endGesture(): void {
 
 export function undo(): void {
   markInput();
+  lastEdited.set(null);
   change(timelines.undo);
 }
 
 export function redo(): void {
   markInput();
+  lastEdited.set(null);
   change(timelines.redo);
 }
 
