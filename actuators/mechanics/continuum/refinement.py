@@ -83,6 +83,7 @@ class Refinement:
             result = self._at(goal, self._starts[goal].moved(1.0, correction))
             if result is not None:
                 at, found, step = goal, result, 2 * step
+                self._watch(0.5 * at / last)
             elif step == 1 or self._stop() is not None:
                 return None
             else:
