@@ -1,12 +1,18 @@
 import { splitAtTrust, type Curve } from "./curve";
 import { PALE } from "./draw";
 
-export function ChartLegend({ curves }: { curves: readonly Curve[] }) {
+interface ChartLegendProps {
+  curves: readonly Curve[];
+  /** Where room is scarce, the entries stand in two places. */
+  part?: "all" | "curves" | "range";
+}
+
+export function ChartLegend({ curves, part = "all" }: ChartLegendProps) {
   const beyond = curves.filter((curve) => splitAtTrust(curve).beyond.length > 1);
   const [only] = beyond;
   return (
     <ul className="chart-legend">
-      {curves.map((curve) => (
+      {(part === "range" ? [] : curves).map((curve) => (
         <li key={curve.id} className={curve.faded ? "faded" : ""}>
           <svg width="20" height="8" aria-hidden="true">
             <line
@@ -25,7 +31,7 @@ export function ChartLegend({ curves }: { curves: readonly Curve[] }) {
           {curve.label}
         </li>
       ))}
-      {only && (
+      {only && part !== "curves" && (
         <li title="Beyond the pressure up to which the model's assumptions hold">
           <svg width="20" height="8" aria-hidden="true">
             <line

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Drawing } from "../api/types";
-import { placeLabel } from "./label";
+import { namePlate, placeLabel } from "./label";
 import { layOut, toPixel } from "./layout";
 
 const drawing: Drawing = {
@@ -44,5 +44,10 @@ describe("drawing", () => {
     expect(inner.x - inner.width / 2).toBeGreaterThan(100);
     const below = placeLabel([40, 176], [300, 176], "89 mm", bounds, [40, 120]);
     expect(below.y).toBeLessThan(180);
+    const plate = namePlate(4);
+    const roof = placeLabel([50, 8], [50, 24], "6 mm", bounds, [62, 8], [plate]);
+    expect(roof.y - 8.5).toBeGreaterThanOrEqual(plate.bottom);
+    const root = placeLabel([40, 30], [58, 30], "6 mm", bounds, [40, 60], [plate]);
+    expect(root.x - root.width / 2).toBeGreaterThanOrEqual(plate.right);
   });
 });

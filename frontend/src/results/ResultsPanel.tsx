@@ -83,7 +83,7 @@ function Plots(props: PlotsProps) {
     <div className="plots">
       <div className="plot-head">
         <h2 title={BENDING_ANGLE}>Bending angle (°)</h2>
-        {props.stale ? STALE_MARK : <ChartLegend curves={angle} />}
+        {props.stale ? STALE_MARK : <ChartLegend curves={angle} part={props.fe ? "curves" : "all"} />}
       </div>
       <CurveChart
         curves={angle}
@@ -96,7 +96,8 @@ function Plots(props: PlotsProps) {
       />
       <div className="plot-head">
         <h2 title="Path of the middle of the free end's bottom edge, as pressure rises">Tip trajectory, X₃ (mm)</h2>
-        {props.stale && <ChartLegend curves={angle} />}
+        {props.stale && <ChartLegend curves={angle} part="curves" />}
+        {!props.stale && props.fe && <ChartLegend curves={angle} part="range" />}
       </div>
       <CurveChart
         curves={tip}
