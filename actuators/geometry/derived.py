@@ -32,7 +32,7 @@ def derived(design: Design) -> list[Derived]:
         _value("Cavity volume", volumes.cavity * 1e6, "ml"),
         _value("Rubber volume", volumes.rubber * 1e6, "ml"),
         _value("Mass of bottom layer", bottom * 1e3, "g"),
-        _value("Mass of the rest", top * 1e3, "g"),
+        _value("Mass of top layer", top * 1e3, "g"),
     ]
 
 

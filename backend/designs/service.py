@@ -1,8 +1,7 @@
 """Checking designs, and keeping them."""
 
-from actuators.design import Design, ObliqueDesign, SlabDesign
+from actuators.geometry.derived import derived
 from actuators.geometry.drawing import drawing
-from actuators.geometry.volumes import exact_volumes, masses
 from backend.designs.question import read_design, read_scene
 from backend.designs.schemas import (
     CheckRequest,
@@ -20,16 +19,6 @@ from backend.history import versions
 from backend.history.schemas import VersionDetail
 from storage import DesignRow, Store
 
-# properties of designs worth showing, in this order: (name, label, unit, units per SI unit)
-_DERIVED = (
-    ("height", "Total thickness", "mm", 1e3),
-    ("pitch", "Chamber pitch", "mm", 1e3),
-    ("chamber_length", "Chamber length", "mm", 1e3),
-    ("wall_length", "Wall between chambers", "mm", 1e3),
-    ("chamber_height", "Chamber height", "mm", 1e3),
-    ("end_length", "End piece", "mm", 1e3),
-)
-
 
 def check(body: CheckRequest) -> DesignCheck:
     """What follows from a design that can be built."""
@@ -37,36 +26,13 @@ def check(body: CheckRequest) -> DesignCheck:
     return DesignCheck(
         design=design.to_document(),
         digest=design.digest,
-        derived=derived(design),
+        derived=[
+            DerivedValue(label=each.label, value=each.value, unit=each.unit)
+            for each in derived(design)
+        ],
         assumptions=list(design.assumptions()),
         drawing=Drawing.model_validate(drawing(design)),
     )
-
-
-def derived(design: Design) -> list[DerivedValue]:
-    """Lengths, volumes and masses that follow from the parameters."""
-    own = {p.name for p in design.parameters()}
-    values = [
-        _value(label, getattr(design, name) * per_si, unit)
-        for name, label, unit, per_si in _DERIVED
-        if name not in own and hasattr(design, name)
-    ]
-    if isinstance(design, SlabDesign):
-        values.append(_value("Shortest chamber arm", float(design.arm_spans().min()) * 1e3, "mm"))
-    if isinstance(design, ObliqueDesign):
-        values.append(_value("Side wall", design.side_wall * 1e3, "mm"))
-    volumes = exact_volumes(design)
-    values.append(_value("Cavity volume", volumes.cavity * 1e6, "ml"))
-    values.append(_value("Rubber volume", volumes.rubber * 1e6, "ml"))
-    if isinstance(design, SlabDesign | ObliqueDesign):
-        bottom, top = masses(design)
-        values.append(_value("Mass of bottom layer", bottom * 1e3, "g"))
-        values.append(_value("Mass of top layer", top * 1e3, "g"))
-    return values
-
-
-def _value(label: str, value: float, unit: str) -> DerivedValue:
-    return DerivedValue(label=label, value=float(f"{value:.6g}"), unit=unit)
 
 
 def summaries(store: Store, *, search: str, archived: bool) -> list[DesignSummary]:
