@@ -18,10 +18,10 @@ from typing import TypeVar
 import numpy as np
 
 from actuators.mechanics.continuum import warm
-from actuators.mechanics.continuum.direct_solver import open_solver
 from actuators.mechanics.continuum.path import PathFollower
 from actuators.mechanics.continuum.refinement import Anchor, Refinement
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.direct_solver import open_solver
 from actuators.meshing import mesh_body
 from benchmarks.mini_pneu_net import (
     GRAVITY,

@@ -10,9 +10,9 @@ import pytest
 
 from actuators.geometry import CAVITY, Body, Region
 from actuators.materials import Material, NeoHooke
-from actuators.mechanics.continuum.direct_solver import open_solver
 from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
 from actuators.mechanics.continuum.system import ContinuumSystem
+from actuators.mechanics.direct_solver import open_solver
 from actuators.meshing import mesh_body
 
 INNER, OUTER, MU = 5e-3, 10e-3, 4e4

@@ -10,10 +10,9 @@ from threading import Lock
 from typing import Literal
 
 import numpy as np
-import scipy.sparse as sp
-from scipy.sparse.linalg import SuperLU, splu
 
 from actuators.mechanics.cell.lattice import HalfCell
+from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 
 Parity = Literal["even", "odd"]
 """How a motion answers the half turn about X3: ``even`` ones (pressure, stretch, torsion, bending
@@ -27,27 +26,26 @@ _KEEP = 64
 class Numbering:
     """``dofs``: (n, 81) unknown of each element's local dof 3 a + i, ``count`` where there is none;
     ``signs``: (n, 81) factor from unknown to local value; ``slot``: place in the matrix's data of
-    every entry of the solid elements; ``indices``, ``indptr``: its CSC pattern."""
+    every entry of the solid elements' upper triangle; ``size``: length of that data. ``solver``
+    keeps the pattern's analysis; ``lock`` lets one thread at a time have it."""
 
     dofs: np.ndarray
     signs: np.ndarray
     count: int
     slot: np.ndarray
-    indices: np.ndarray
-    indptr: np.ndarray
+    size: int
+    solver: SymmetricSolver
+    lock: Lock
 
-    def factorise(self, elements: np.ndarray, solid: np.ndarray) -> SuperLU:
-        """LU factors of the sum of the solid elements' matrices (m, 81, 81)."""
+    def solve(self, elements: np.ndarray, solid: np.ndarray, right: np.ndarray) -> np.ndarray:
+        """Unknowns (count, c) under the forces ``right`` (count, c): the matrix is the sum of the
+        solid elements' (m, 81, 81)."""
         signs = self.signs[solid]
         values = elements * signs[:, :, None] * signs[:, None, :]
-        data = np.bincount(self.slot, weights=values.ravel(), minlength=len(self.indices) + 1)[:-1]
-        matrix = sp.csc_matrix((data, self.indices, self.indptr), shape=(self.count, self.count))
-        return splu(
-            matrix,
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
+        data = np.bincount(self.slot, weights=values.ravel(), minlength=self.size + 1)[:-1]
+        with self.lock:
+            self.solver.factorize(data)
+            return self.solver.solve(right)
 
     def gather(self, forces: np.ndarray, elements: np.ndarray) -> np.ndarray:
         """Sum local vectors (m, 81, c) of the elements in the mask into unknowns (count, c)."""
@@ -104,7 +102,15 @@ def _number(cell: HalfCell, parity: Parity) -> Numbering:
     signs[first != nodes] = _TIE[parity]
     dofs = unknown[first][cell.nodes].reshape(-1, 81)
     slot, indices, indptr = _pattern(dofs[solid], count)
-    return Numbering(dofs, signs[cell.nodes].reshape(-1, 81), count, slot, indices, indptr)
+    return Numbering(
+        dofs=dofs,
+        signs=signs[cell.nodes].reshape(-1, 81),
+        count=count,
+        slot=slot,
+        size=len(indices),
+        solver=open_solver(indptr, indices),
+        lock=Lock(),
+    )
 
 
 def _pin(free: np.ndarray, cell: HalfCell, parity: Parity) -> None:
@@ -121,16 +127,16 @@ def _pin(free: np.ndarray, cell: HalfCell, parity: Parity) -> None:
 
 
 def _pattern(dofs: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """CSC pattern of the matrix that elements with these dofs (m, 81) fill, and the slot of each of
-    their entries in its data (one past the end for entries of held dofs)."""
+    """CSR pattern of the upper triangle of the matrix that elements with these dofs (m, 81) fill,
+    and the slot of each of their entries in its data (one past the end for entries of held dofs
+    and of the lower triangle)."""
     rows = np.repeat(dofs, 81, axis=1).ravel()
     columns = np.tile(dofs, (1, 81)).ravel()
-    key = columns * (count + 1) + rows
-    key[(rows == count) | (columns == count)] = np.iinfo(np.int64).max
+    key = rows * (count + 1) + columns
+    key[(rows > columns) | (columns == count)] = np.iinfo(np.int64).max
     entries, slot = np.unique(key, return_inverse=True)
-    if entries[-1] == np.iinfo(np.int64).max:
-        entries = entries[:-1]
+    entries = entries[:-1]  # the dropped ones: a lower triangle there always is
     indices = (entries % (count + 1)).astype(np.int32)
-    per_column = np.bincount(entries // (count + 1), minlength=count)
-    indptr = np.concatenate([[0], np.cumsum(per_column)]).astype(np.int32)
+    per_row = np.bincount(entries // (count + 1), minlength=count)
+    indptr = np.concatenate([[0], np.cumsum(per_row)]).astype(np.int32)
     return slot.ravel(), indices, indptr

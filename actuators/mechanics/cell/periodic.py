@@ -78,7 +78,7 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     right = np.concatenate(
         [even.gather(pressure, cell.cavity), -even.gather(coupling[..., EVEN], cell.solid)], axis=1
     )
-    correction = even.factorise(elements, cell.solid).solve(right)
+    correction = even.solve(elements, cell.solid, right)
     condensed = np.zeros((4, 4))
     condensed[np.ix_(EVEN, EVEN)] = energy[np.ix_(EVEN, EVEN)] - right[:, 1:].T @ correction[:, 1:]
     work = np.einsum("nai,na->i", fields[cell.cavity], pressure[..., 0])
@@ -109,7 +109,7 @@ def _bending_about_x3(body: Body, shear: np.ndarray, bulk: np.ndarray, mesh: Cel
     elements, energy, coupling = _element_energies(cell, fields, shear, bulk)
     odd = numbering(cell, "odd")
     right = -odd.gather(coupling[..., 3:], cell.solid)
-    correction = odd.factorise(elements, cell.solid).solve(right)
+    correction = odd.solve(elements, cell.solid, right)
     return float(energy[3, 3] - right[:, 0] @ correction[:, 0])
 
 

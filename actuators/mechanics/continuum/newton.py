@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.mechanics.continuum.direct_solver import FactorizationError, SymmetricSolver
 from actuators.mechanics.continuum.system import Balance, ContinuumSystem, State
+from actuators.mechanics.direct_solver import FactorizationError, SymmetricSolver
 
 SMALLEST_FACTOR = 1 / 32
 TRUSTED_CONTRACTION = 0.3

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from actuators.mechanics.continuum.direct_solver import SymmetricSolver
 from actuators.mechanics.continuum.newton import (
     Equilibrium,
     Failure,
@@ -32,6 +31,7 @@ from actuators.mechanics.continuum.prediction import (
     summit_volume,
 )
 from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.mechanics.response import Outcome
 
 FIRST_STEP, LARGEST_STEP = 0.05, 0.1

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.mechanics.continuum.direct_solver import SymmetricSolver
 from actuators.mechanics.continuum.newton import (
     MONOTONE,
     Equilibrium,
@@ -14,6 +13,7 @@ from actuators.mechanics.continuum.newton import (
 )
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.mechanics.response import Outcome
 from actuators.meshing import prolong_nodes, prolong_pressure
 

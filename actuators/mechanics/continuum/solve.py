@@ -11,7 +11,6 @@ from actuators.design.base import Design
 from actuators.errors import QuestionError
 from actuators.geometry import Body, build_body
 from actuators.mechanics.continuum.assembly import region_materials
-from actuators.mechanics.continuum.direct_solver import SymmetricSolver, open_solver
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
@@ -23,6 +22,7 @@ from actuators.mechanics.continuum.refinement import (
 )
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.continuum.wall_overlap import has_gaps
+from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
 from actuators.meshing import mesh_body

@@ -15,10 +15,10 @@ from actuators.geometry.body import CAVITY, Body, Region
 from actuators.materials import Material, NeoHooke, Ogden
 from actuators.mechanics.continuum import kernel
 from actuators.mechanics.continuum.assembly import linear_system
-from actuators.mechanics.continuum.direct_solver import open_solver
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.direct_solver import open_solver
 from actuators.meshing import mesh_body
 
 

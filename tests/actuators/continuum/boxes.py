@@ -6,8 +6,8 @@ import numpy as np
 
 from actuators.geometry import CAVITY, Body, Region
 from actuators.materials import HyperelasticLaw, Material, NeoHooke, Ogden, Yeoh
-from actuators.mechanics.continuum.direct_solver import SymmetricSolver, open_solver
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 from actuators.meshing import HexMesh, mesh_body
 
 LAWS: dict[str, HyperelasticLaw] = {

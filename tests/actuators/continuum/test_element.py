@@ -190,7 +190,7 @@ def test_half_and_whole_give_the_same_answer() -> None:
 
 
 def test_superlu_gives_what_pardiso_gives() -> None:
-    from actuators.mechanics.continuum.direct_solver import SuperLuSolver
+    from actuators.mechanics.direct_solver import SuperLuSolver
 
     system, solver = system_of(mesh_body(block()), LAWS["neo-hooke"])
     system.linearise(system.rest(), 0.0)

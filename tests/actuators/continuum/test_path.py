@@ -6,9 +6,9 @@ import pytest
 from actuators.design import preset
 from actuators.errors import QuestionError
 from actuators.mechanics.continuum import Progress, solve
-from actuators.mechanics.continuum.direct_solver import open_solver
 from actuators.mechanics.continuum.path import PathFollower
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.direct_solver import open_solver
 from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
 from actuators.meshing import mesh_body
