@@ -4,6 +4,7 @@ import { Lane } from "../api/lane";
 import { reconnections } from "../api/live";
 import { Store } from "../api/store";
 import type { DesignCheck, Prediction, ProblemDetail, Result } from "../api/types";
+import { dragging } from "../ui/dragging";
 import { sameDesign, sameQuestion, sceneOf, type DesignDocument, type Work } from "./document";
 import { latestInput } from "./latency";
 import { bench } from "./workbench";
@@ -53,7 +54,7 @@ function asProblem(error: unknown): ProblemDetail | null {
 
 const predictions = new Lane<Question, Prediction>(
   ({ work }) => take(api.POST("/api/predict", { body: { design: work.design, scene: sceneOf(work), rung: "energy", c: "computed" } })),
-  ({ work, input }, answer) =>
+  ({ work, input }, answer) => {
     answers.update((now) => ({
       ...now,
       result: answer.result,
@@ -62,10 +63,13 @@ const predictions = new Lane<Question, Prediction>(
       totalMs: answer.timings_ms.total ?? null,
       sceneProblem: null,
       unreachable: false,
-    })),
+    }));
+    checkNext();
+  },
   (_, error) => {
     const problem = asProblem(error);
     answers.update((now) => ({ ...now, sceneProblem: problem, unreachable: problem === null }));
+    checkNext();
   },
 );
 
@@ -79,6 +83,23 @@ const checks = new Lane<DesignDocument, DesignCheck>(
   },
 );
 
+/** The drawing waits for the curve, and while a slider moves it follows at this distance: both are
+ * computed by one process and drawn by one thread. */
+const CHECK_WHILE_DRAGGING_MS = 400;
+let unchecked: DesignDocument | null = null;
+let lastCheck = 0;
+
+function checkNext(): void {
+  if (!unchecked || (dragging.get() && performance.now() - lastCheck < CHECK_WHILE_DRAGGING_MS)) return;
+  lastCheck = performance.now();
+  checks.ask(unchecked);
+  unchecked = null;
+}
+
+dragging.subscribe(() => {
+  if (!dragging.get() && !predictions.pending) checkNext();
+});
+
 let asked: Work | null = null;
 
 function ask(again: boolean): void {
@@ -86,8 +107,9 @@ function ask(again: boolean): void {
   if (!work) return;
   const before = again ? null : asked;
   asked = work;
+  if (!before || !sameDesign(before.design, work.design)) unchecked = work.design;
   if (!before || !sameQuestion(before, work)) predictions.ask({ work, input: latestInput() });
-  if (!before || !sameDesign(before.design, work.design)) checks.ask(work.design);
+  else checkNext();
 }
 
 /** Start following the bench; called once. */
