@@ -3,7 +3,7 @@
 from actuators.design.base import Design
 from actuators.design.oblique import ObliqueDesign
 from actuators.design.slab import SlabDesign
-from actuators.geometry.body import CAVITY, OUTSIDE, Body, Region
+from actuators.geometry.body import CAVITY, OUTSIDE, Body, Membrane, Region
 from actuators.geometry.oblique_body import oblique_body, oblique_cell
 from actuators.geometry.slab_body import slab_body, slab_cell
 
@@ -26,4 +26,4 @@ def build_cell(design: Design, index: int) -> Body:
     raise TypeError(f"no periodic cell for {type(design).__name__}")
 
 
-__all__ = ["CAVITY", "OUTSIDE", "Body", "Region", "build_body", "build_cell"]
+__all__ = ["CAVITY", "OUTSIDE", "Body", "Membrane", "Region", "build_body", "build_cell"]

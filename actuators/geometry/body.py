@@ -24,6 +24,19 @@ class Region:
     material: str
 
 
+@dataclass(frozen=True)
+class Membrane:
+    """An embedded sheet across the whole body that resists stretch along X1 and bends freely.
+
+    ``plane``: z' of the sheet, one of the body's ``lines[2]``. ``stiffness`` K [N/m]: its energy
+    per reference area is K/2 (lambda - 1)^2, lambda the stretch of the sheet's own X1 direction.
+    """
+
+    name: str
+    plane: float
+    stiffness: float
+
+
 @dataclass(frozen=True, eq=False)
 class Body:
     """Block-structured undeformed actuator (or one periodic cell of it).
@@ -36,6 +49,7 @@ class Body:
     contains 0 and :meth:`half` is allowed.
     ``period``: length of the cell along X1 [m] for a periodic cell, else None. The faces x' =
     lines[0][0] and lines[0][-1] of a periodic cell differ by the translation (period, 0, 0).
+    ``membranes``: embedded sheets, wherever rubber meets their planes.
     """
 
     lines: tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -44,6 +58,7 @@ class Body:
     place: Callable[[np.ndarray], np.ndarray]
     symmetric: bool
     period: float | None = None
+    membranes: tuple[Membrane, ...] = ()
 
     def half(self) -> "Body":
         """The half X2 >= 0 of a symmetric body; raises ValueError for one that is not."""
@@ -58,4 +73,5 @@ class Body:
             place=self.place,
             symmetric=False,
             period=self.period,
+            membranes=self.membranes,
         )

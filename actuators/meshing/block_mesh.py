@@ -37,6 +37,7 @@ def mesh_body(
     box = np.argwhere(fill >= 0).astype(np.int32)
     elements, node_index = _number(box, fill.shape)
     faces = _classify_faces(fill, box, elements, is_half, body.period is not None)
+    membrane_faces, membrane_stiffness = _membranes(body, lines[2], fill, box, elements)
     return HexMesh(
         nodes=body.place(_lattice_coordinates(lines, node_index)),
         elements=elements,
@@ -50,6 +51,8 @@ def mesh_body(
         symmetry_faces=faces[2],
         is_half=is_half,
         period=body.period,
+        membrane_faces=membrane_faces,
+        membrane_stiffness=membrane_stiffness,
     )
 
 
@@ -109,6 +112,24 @@ def _classify_faces(
         _faces(found[OUTSIDE], elements),
         _faces(found[symmetry], elements),
     )
+
+
+def _membranes(
+    body: Body, heights: np.ndarray, fill: np.ndarray, box: np.ndarray, elements: np.ndarray
+) -> tuple[Faces, np.ndarray]:
+    """Faces on the body's sheets and the stiffness of each."""
+    below = np.pad(fill, ((0, 0), (0, 0), (1, 0)), constant_values=OUTSIDE)[tuple(box.T)] >= 0
+    entries: list[tuple[np.ndarray, np.ndarray]] = []
+    stiffness: list[np.ndarray] = []
+    for sheet in body.membranes:
+        plane = int(np.argmin(np.abs(heights - sheet.plane)))
+        under = np.flatnonzero(box[:, 2] == plane - 1)
+        over = np.flatnonzero((box[:, 2] == plane) & ~below)
+        entries += [(under, np.full(len(under), 5)), (over, np.full(len(over), 4))]
+        stiffness.append(np.full(len(under) + len(over), sheet.stiffness))
+    if not entries:
+        return Faces.none(), np.empty(0)
+    return _faces(entries, elements), np.concatenate(stiffness)
 
 
 def _faces(entries: list[tuple[np.ndarray, np.ndarray]], elements: np.ndarray) -> Faces:

@@ -1,6 +1,6 @@
 """A structured mesh of 27-node hexahedra."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -35,6 +35,12 @@ class Faces:
     def __len__(self) -> int:
         return len(self.element)
 
+    @staticmethod
+    def none() -> "Faces":
+        """No faces at all."""
+        empty = np.empty(0, dtype=np.int32)
+        return Faces(element=empty, local=empty, nodes=np.empty((0, 9), dtype=np.int32))
+
 
 @dataclass(frozen=True, eq=False)
 class HexMesh:
@@ -46,6 +52,9 @@ class HexMesh:
     position of each node on the lines and the middles between them.
     ``cavity_faces`` meet the air under pressure, ``outer_faces`` the surroundings (a periodic
     cell: without its two ends), ``symmetry_faces`` the plane X2 = 0 of a half model.
+    ``membrane_faces`` lie on embedded sheets, each face once: side z+ of the element below the
+    sheet, or z- of the one above where nothing is below; ``membrane_stiffness``: (f,) [N/m], see
+    :class:`.geometry.Membrane`.
     """
 
     nodes: np.ndarray
@@ -60,6 +69,8 @@ class HexMesh:
     symmetry_faces: Faces
     is_half: bool
     period: float | None = None
+    membrane_faces: Faces = field(default_factory=Faces.none)
+    membrane_stiffness: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def on_first_plane(self, direction: int) -> np.ndarray:
         """Nodes of the plane where lattice coordinate ``direction`` is smallest."""

@@ -1,10 +1,12 @@
 """Meshes: volumes, counts, faces, nesting."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from actuators.design import PRESETS, preset
-from actuators.geometry import build_body, build_cell
+from actuators.geometry import Membrane, build_body, build_cell
 from actuators.mechanics.continuum.kernel.cavity import cavity_volume
 from actuators.mechanics.continuum.kernel.shape import CUBE_SLOPES, CUBE_WEIGHTS
 from actuators.meshing import (
@@ -139,3 +141,28 @@ def test_prolongation_reproduces_quadratic_displacement_and_linear_pressure() ->
     assert prolong_pressure(coarse, fine, pressure(coarse)) == pytest.approx(
         pressure(fine), abs=1e-12
     )
+
+
+def sheet_area(mesh: HexMesh) -> float:
+    """Area seen from above, from the corners of each patch."""
+    corner = mesh.nodes[mesh.membrane_faces.nodes[:, [0, 2, 8, 6]]]
+    return float(
+        np.abs(np.cross(corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1])).sum() / 2
+    )
+
+
+@pytest.mark.parametrize("plane", [0, 1])
+def test_an_embedded_sheet_is_one_layer_of_faces(plane: int) -> None:
+    """In the body or on its underside, whole, half and refined: the planform once."""
+    plain = build_body(preset("oblique-90").design.changed(chamber_count=2, length=20))
+    height = float(plain.lines[2][plane])
+    body = dataclasses.replace(plain, membranes=(Membrane("sheet", height, 7.0),))
+    for model, share in ((body, 1.0), (body.half(), 0.5)):
+        for layers in (0, 1):
+            mesh = mesh_body(model, layers=(layers, 0, layers))
+            nodes = mesh.nodes[mesh.membrane_faces.nodes]
+            assert nodes[..., 2] == pytest.approx(height, abs=1e-15)
+            assert sheet_area(mesh) == pytest.approx(share * 20e-3 * 15e-3)
+            assert np.all(mesh.membrane_stiffness == 7.0)
+            assert len(mesh.membrane_stiffness) == len(mesh.membrane_faces)
+    assert len(mesh_body(plain).membrane_faces) == 0
