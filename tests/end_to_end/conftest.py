@@ -1,13 +1,12 @@
-"""A running studio and a browser for it."""
+"""A running studio and a page in the browser."""
 
 import os
-import shutil
 import signal
 from collections.abc import Generator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from tests.running_studio import ROOT, Run
 from tests.worker.processes import processes_of
@@ -24,24 +23,6 @@ def studio(tmp_path: Path) -> Generator[Run]:
     run.process.wait(20)
     for line in processes_of(run.data):
         os.kill(int(line.split()[0]), signal.SIGKILL)
-
-
-@pytest.fixture(scope="session")
-def browser() -> Generator[Browser]:
-    executable = shutil.which("chromium")
-    if executable is None:
-        pytest.fail("chromium is not installed: `make test` installs it")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=executable,
-            args=[
-                "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                "--ignore-gpu-blocklist", "--disable-background-networking",
-                "--disable-component-update", "--disable-sync", "--no-first-run",
-            ],
-        )  # fmt: skip
-        yield browser
-        browser.close()
 
 
 @pytest.fixture
