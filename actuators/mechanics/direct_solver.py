@@ -20,7 +20,12 @@ class FactorizationError(Exception):
 
 
 class SymmetricSolver(ABC):
-    """Factor of a symmetric matrix given by its upper triangle; the pattern never changes."""
+    """Factor of a symmetric matrix given by its upper triangle; the pattern stays until another is
+    adopted."""
+
+    @abstractmethod
+    def adopt(self, indptr: np.ndarray, indices: np.ndarray) -> None:
+        """Take another pattern of the same size (upper triangle, sorted columns)."""
 
     @abstractmethod
     def factorize(self, values: np.ndarray) -> None:
@@ -29,6 +34,11 @@ class SymmetricSolver(ABC):
     @abstractmethod
     def solve(self, right_side: np.ndarray) -> np.ndarray:
         """Solution for (n,) or (n, k)."""
+
+    @property
+    @abstractmethod
+    def entries(self) -> int:
+        """Number of entries in the pattern."""
 
     @property
     @abstractmethod
@@ -58,16 +68,20 @@ class PardisoSolver(SymmetricSolver):
         # pypardiso finds and loads the library; its own calls copy the pattern every time
         self._library = PyPardisoSolver(mtype=-2)
         self._call = self._library.libmkl.pardiso  # type: ignore[union-attr]
-        self._size = len(indptr) - 1
-        self._ia = (indptr + 1).astype(np.int32)
-        self._ja = (indices + 1).astype(np.int32)
         self._handle = np.zeros(64, dtype=np.int64)
         self._perm = np.zeros(1, dtype=np.int32)
         self._iparm = np.zeros(64, dtype=np.int32)
         for number, value in _IPARM.items():
             self._iparm[number - 1] = value
-        self._values = np.zeros(len(indices))
         self._analysed = False
+        self.adopt(indptr, indices)
+
+    def adopt(self, indptr: np.ndarray, indices: np.ndarray) -> None:
+        self.release()
+        self._size = len(indptr) - 1
+        self._ia = (indptr + 1).astype(np.int32)
+        self._ja = (indices + 1).astype(np.int32)
+        self._values = np.zeros(len(indices))
 
     def factorize(self, values: np.ndarray) -> None:
         self._values = values
@@ -82,6 +96,10 @@ class PardisoSolver(SymmetricSolver):
         x = np.empty_like(b, order="F")
         self._run(33, b, x, 1 if b.ndim == 1 else b.shape[1])
         return x
+
+    @property
+    def entries(self) -> int:
+        return len(self._ja)
 
     @property
     def negative_eigenvalues(self) -> int | None:
@@ -139,6 +157,9 @@ class SuperLuSolver(SymmetricSolver):
     """scipy's LU of the full matrix."""
 
     def __init__(self, indptr: np.ndarray, indices: np.ndarray) -> None:
+        self.adopt(indptr, indices)
+
+    def adopt(self, indptr: np.ndarray, indices: np.ndarray) -> None:
         size = len(indptr) - 1
         self._upper = sp.csr_matrix((np.zeros(len(indices)), indices, indptr), shape=(size, size))
         self._factor: spla.SuperLU | None = None
@@ -158,6 +179,10 @@ class SuperLuSolver(SymmetricSolver):
         if self._factor is None:
             raise FactorizationError("factorize comes before solve")
         return self._factor.solve(right_side)
+
+    @property
+    def entries(self) -> int:
+        return int(self._upper.nnz)
 
     @property
     def negative_eigenvalues(self) -> int | None:

@@ -83,7 +83,7 @@ def solve_equilibrium(
             return Failure("an element is turned inside out", iterations)
         iterations += 1
         try:
-            solver.factorize(system.values)
+            system.factorize(solver)
         except FactorizationError as error:
             return Failure(str(error), iterations)
         border = _Border(system, solver, state, target)

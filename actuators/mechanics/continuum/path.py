@@ -141,7 +141,7 @@ class PathFollower:
         """Share whose linear answer moves the body by :data:`LARGEST_FIRST_MOVE` of its size."""
         system = self._system
         balance = system.linearise(system.rest(), 0.0)
-        self._solver.factorize(system.values)
+        system.factorize(self._solver)
         self._path.iterations += 1
         return min(1.0, self._share_of_first_move(self._solver.solve(-system.reduce(balance))))
 

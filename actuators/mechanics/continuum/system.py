@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from actuators.materials import Material
+from actuators.mechanics.continuum.contact import Interaction, Tangent
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.kernel.cavity import cavity_volume
 from actuators.mechanics.continuum.kernel.condense import (
@@ -16,10 +17,12 @@ from actuators.mechanics.continuum.kernel.condense import (
     expand_correction,
 )
 from actuators.mechanics.continuum.kernel.pattern import (
+    merge_neighbours,
     node_neighbours,
     scatter_map,
     upper_rows,
 )
+from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.meshing import CENTRE, FACE_NODES, HexMesh
 
 # numba's simplest threading layer must not be entered by two threads at once
@@ -51,7 +54,8 @@ class Balance:
 
 
 class ContinuumSystem:
-    """A mesh with materials and gravity; ``free`` (n, 3) says which displacements are unknown.
+    """A mesh with materials, gravity and ``interactions`` of its outside; ``free`` (n, 3) says
+    which displacements are unknown.
 
     Holds the memory of one tangent: :meth:`linearise` fills it, :meth:`reduce` and
     :meth:`expand` go between the full state and the condensed unknowns with it.
@@ -64,26 +68,49 @@ class ContinuumSystem:
         *,
         free: np.ndarray,
         gravity: tuple[float, float, float] | None = None,
+        interactions: Sequence[Interaction] = (),
     ) -> None:
         self.mesh = mesh
+        self.interactions = tuple(interactions)
         self.materials = tuple(materials)
         unknown = free.copy()
         unknown[mesh.centre_nodes] = False
         self.dof = np.full(unknown.shape, -1, dtype=np.int32)
         self.dof[unknown] = np.arange(np.count_nonzero(unknown), dtype=np.int32)
         self.unknowns = int(np.count_nonzero(unknown))
-        outer = np.ascontiguousarray(np.delete(mesh.elements, CENTRE, axis=1))
-        first, neighbours = node_neighbours(outer, len(mesh.nodes))
-        self.indptr, self.indices = upper_rows(first, neighbours, self.dof, self.unknowns)
-        with _PARALLEL:
-            self._scatter = scatter_map(outer, self.dof, self.indptr, self.indices)
+        self._outer = np.ascontiguousarray(np.delete(mesh.elements, CENTRE, axis=1))
+        self._coupled: set[bytes] = set()
+        self._lay_out(node_neighbours(self._outer, len(mesh.nodes)))
         self._set_materials(gravity)
         self._set_faces()
         count = len(mesh.elements)
-        self.values = np.zeros(len(self.indices))
         self._recover = np.zeros((count, INNER, OUTER))
         self._inverse = np.zeros((count, INNER, INNER))
         self._least = np.zeros(count)
+
+    def _lay_out(self, neighbours: tuple[np.ndarray, np.ndarray]) -> None:
+        """The matrix for these neighbours of every node (CSR lists)."""
+        self._neighbours = neighbours
+        self.indptr, self.indices = upper_rows(*neighbours, self.dof, self.unknowns)
+        with _PARALLEL:
+            self._scatter = scatter_map(self._outer, self.dof, self.indptr, self.indices)
+        self.values = np.zeros(len(self.indices))
+
+    def _widen(self, positions: np.ndarray) -> None:
+        """Make room in the matrix for surfaces that have come near each other."""
+        for interaction in self.interactions:
+            sets = np.ascontiguousarray(interaction.couples(positions), dtype=np.int32)
+            new = [nodes for nodes in sets if nodes.tobytes() not in self._coupled]
+            if new:
+                self._coupled.update(nodes.tobytes() for nodes in new)
+                more = node_neighbours(np.array(new), len(positions))
+                self._lay_out(merge_neighbours(*self._neighbours, *more))
+
+    def factorize(self, solver: SymmetricSolver) -> None:
+        """Factorise the tangent last filled; a pattern widened since is adopted first."""
+        if solver.entries != len(self.indices):
+            solver.adopt(self.indptr, self.indices)
+        solver.factorize(self.values)
 
     def _set_materials(self, gravity: tuple[float, float, float] | None) -> None:
         laws = [m.law for m in self.materials]
@@ -124,6 +151,9 @@ class ContinuumSystem:
         mesh = self.mesh
         residual = np.zeros_like(mesh.nodes)
         inner = np.zeros((len(mesh.elements), 4))
+        positions = mesh.nodes + state.displacement
+        if tangent:
+            self._widen(positions)
         with _PARALLEL:
             assemble(
                 mesh.nodes, state.displacement, state.pressure, mesh.elements, mesh.region,
@@ -133,6 +163,10 @@ class ContinuumSystem:
                 self._recover, self._inverse, self._least,
             )  # fmt: skip
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
+        if sound:
+            matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
+            for interaction in self.interactions:
+                interaction.add(positions, residual, matrix)
         return Balance(residual, inner, sound)
 
     def reduce(self, balance: Balance) -> np.ndarray:

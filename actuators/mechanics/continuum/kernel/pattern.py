@@ -37,6 +37,30 @@ def node_neighbours(outer: np.ndarray, node_count: int) -> tuple[np.ndarray, np.
 
 
 @njit(cache=True)
+def merge_neighbours(
+    first: np.ndarray, neighbours: np.ndarray, more_first: np.ndarray, more: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """CSR lists with the sorted union of two lists in every row."""
+    start = np.zeros_like(first)
+    merged = np.empty(len(neighbours) + len(more), dtype=np.int32)
+    total = 0
+    for n in range(len(first) - 1):
+        a, b = first[n], more_first[n]
+        while a < first[n + 1] or b < more_first[n + 1]:
+            if b == more_first[n + 1] or (a < first[n + 1] and neighbours[a] <= more[b]):
+                merged[total] = neighbours[a]
+                if b < more_first[n + 1] and neighbours[a] == more[b]:
+                    b += 1
+                a += 1
+            else:
+                merged[total] = more[b]
+                b += 1
+            total += 1
+        start[n + 1] = total
+    return start, merged[:total].copy()
+
+
+@njit(cache=True)
 def upper_rows(
     first: np.ndarray, neighbours: np.ndarray, dof: np.ndarray, unknowns: int
 ) -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,31 @@
+"""The hook by which forces between surfaces enter the discrete problem."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Tangent:
+    """The matrix being assembled: upper triangle by rows, and ``dof`` (n, 3), -1 where held."""
+
+    dof: np.ndarray
+    indptr: np.ndarray
+    indices: np.ndarray
+    values: np.ndarray
+
+
+class Interaction(Protocol):
+    """Forces with a potential that depends on node positions only. Far from touching, an
+    interaction does no more than find that out."""
+
+    def couples(self, positions: np.ndarray) -> np.ndarray:
+        """(k, m) nodes that may get entries with each other at ``positions`` (n, 3), beyond those
+        of common elements; k is 0 where there are none."""
+        ...
+
+    def add(self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None) -> None:
+        """Add the potential's gradient to ``residual`` (n, 3) [N] and, if asked for, its second
+        derivatives to ``tangent``."""
+        ...
