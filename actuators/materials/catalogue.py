@@ -11,6 +11,7 @@ from actuators.errors import DesignError
 from actuators.materials.law import HyperelasticLaw
 from actuators.materials.linear import LinearElastic
 from actuators.materials.material import Material
+from actuators.materials.mooney_rivlin import MooneyRivlin
 from actuators.materials.neo_hooke import NeoHooke
 from actuators.materials.ogden import Ogden
 from actuators.materials.yeoh import Yeoh
@@ -121,6 +122,12 @@ _RECORDS = (
     _record(
         "ninjaflex-yeoh", "NinjaFlex (Yeoh)", _yeoh(1.653, 0.0324, 0.000468), _NINJAFLEX,
         f"{_THESIS}, Table 3",
+    ),
+    _record(
+        "ninjaflex-mooney-rivlin-5", "NinjaFlex (Mooney-Rivlin 5)",
+        MooneyRivlin(-0.233 * MPa, 2.562 * MPa, 0.116 * MPa, -0.561 * MPa, 0.900 * MPa), _NINJAFLEX,
+        "bellows paper (B), Table 3: polynomial in I1 - 3 and I2 - 3",
+        "C10 is negative; the initial modulus 6 (C10 + C01) = 14.0 MPa is not.",
     ),
     _record(
         "ninjaflex-ogden-002", "NinjaFlex (Ogden 002)",

@@ -35,5 +35,12 @@ class HyperelasticLaw(ABC):
         """dW/dlambda [Pa] of the incompressible uniaxial test, same shape as ``stretch``."""
 
     @abstractmethod
+    def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
+        """d2W / dlog(l_i) dlog(l_j) [Pa] of the incompressible form, (..., 3) -> (..., 3, 3).
+
+        Only its restriction to volume-preserving increments (sum of dlog l = 0) has a meaning.
+        """
+
+    @abstractmethod
     def to_document(self) -> dict[str, Any]:
         """Model and constants with units in their names, for display."""

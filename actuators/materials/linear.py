@@ -4,6 +4,7 @@ Hooke's law is not frame-indifferent at large rotation; the neo-Hookean law of e
 the same small-strain answer.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -30,8 +31,10 @@ class LinearElastic(HyperelasticLaw):
 
     @property
     def bulk_to_shear(self) -> float:
-        """kappa / mu = 2 (1 + nu) / (3 (1 - 2 nu))."""
+        """kappa / mu = 2 (1 + nu) / (3 (1 - 2 nu)); infinite for nu = 1/2."""
         nu = self.poissons_ratio
+        if nu == 0.5:
+            return math.inf
         return 2 * (1 + nu) / (3 * (1 - 2 * nu))
 
     @property
@@ -47,6 +50,9 @@ class LinearElastic(HyperelasticLaw):
 
     def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
         return self.as_neo_hooke.nominal_uniaxial_stress(stretch)
+
+    def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
+        return self.as_neo_hooke.logarithmic_hessian(stretches)
 
     def to_document(self) -> dict[str, Any]:
         return {

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from actuators.materials.law import HyperelasticLaw
+from actuators.materials.stability import StableRange, stable_range
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,11 @@ class Material:
     note: str = ""
     bulk_to_shear: float = 1000.0
     tested_to_stretch: float | None = None
+
+    @property
+    def stable_range(self) -> StableRange:
+        """Stretches up to which the law is stable after Drucker."""
+        return stable_range(self.law)
 
     @property
     def shear_modulus(self) -> float:

@@ -32,5 +32,8 @@ class NeoHooke(HyperelasticLaw):
     def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
         return self.shear_modulus * (stretch - stretch**-2.0)
 
+    def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
+        return 2 * self.shear_modulus * (stretches**2)[..., None] * np.eye(3)
+
     def to_document(self) -> dict[str, Any]:
         return {"model": self.model, "C10_kPa": self.shear_modulus / 2 * 1e-3}

@@ -58,6 +58,12 @@ class Ogden(HyperelasticLaw):
             total = total + m * (np.expm1(alpha * log) - np.expm1(-alpha / 2 * log))
         return total / stretch
 
+    def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
+        total = np.zeros_like(stretches, dtype=float)
+        for m, alpha in self.work_terms:
+            total = total + m * alpha * stretches**alpha
+        return total[..., None] * np.eye(3)
+
     def to_document(self) -> dict[str, Any]:
         document: dict[str, Any] = {"model": self.model, "convention": self.convention}
         for i, (mu, alpha) in enumerate(self.terms, 1):

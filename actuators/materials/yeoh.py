@@ -36,6 +36,16 @@ class Yeoh(HyperelasticLaw):
         slope = self.c10 + x * (2 * self.c20 + x * 3 * self.c30)
         return 2 * slope * (stretch - stretch**-2.0)
 
+    def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
+        square = stretches**2
+        x = square.sum(axis=-1)[..., None, None] - 3
+        slope = self.c10 + x * (2 * self.c20 + x * 3 * self.c30)
+        bend = 2 * self.c20 + 6 * self.c30 * x
+        return 4 * (
+            slope * square[..., None] * np.eye(3)
+            + bend * square[..., :, None] * square[..., None, :]
+        )
+
     def to_document(self) -> dict[str, Any]:
         return {
             "model": self.model,

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from actuators.geometry import CAVITY, Body, Region
-from actuators.materials import HyperelasticLaw, Material, NeoHooke, Ogden, Yeoh
+from actuators.materials import HyperelasticLaw, Material, MooneyRivlin, NeoHooke, Ogden, Yeoh
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 from actuators.meshing import HexMesh, mesh_body
@@ -13,6 +13,8 @@ from actuators.meshing import HexMesh, mesh_body
 LAWS: dict[str, HyperelasticLaw] = {
     "neo-hooke": NeoHooke(0.4e5),
     "yeoh": Yeoh(2e4, 3e3, -40.0),
+    "mooney-rivlin-2": MooneyRivlin(1.5e4, 0.5e4),
+    "mooney-rivlin-5": MooneyRivlin(-0.233e6, 2.562e6, 0.116e6, -0.561e6, 0.900e6),
     "ogden-2": Ogden(((6e4, 1.3), (-2e4, -2.0)), "classical"),
     "ogden-tiny-exponent": Ogden(((0.13e6, 3.05), (-1214e6, -0.0054)), "work-conjugate"),
 }

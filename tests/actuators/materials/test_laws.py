@@ -8,6 +8,7 @@ from actuators.materials import (
     CATALOGUE,
     HyperelasticLaw,
     LinearElastic,
+    MooneyRivlin,
     NeoHooke,
     Ogden,
     Yeoh,
@@ -53,6 +54,30 @@ def test_ogden_with_alpha_2_is_neo_hooke() -> None:
     assert ogden.nominal_uniaxial_stress(stretch) == pytest.approx(
         neo_hooke.nominal_uniaxial_stress(stretch), rel=1e-12
     )
+
+
+def test_mooney_rivlin_without_c01_is_yeoh() -> None:
+    polynomial, yeoh = MooneyRivlin(2e4, 0.0, 3e3), Yeoh(2e4, 3e3)
+    stretch = np.linspace(0.5, 3.0, 6)
+    assert polynomial.nominal_uniaxial_stress(stretch) == pytest.approx(
+        yeoh.nominal_uniaxial_stress(stretch), rel=1e-12
+    )
+
+
+def test_second_constant_of_mooney_rivlin_shows_where_ogden_with_alpha_minus_2_does() -> None:
+    polynomial = MooneyRivlin(2e4, 3e4)
+    ogden = Ogden(((4e4, 2.0), (6e4, -2.0)), "classical")
+    stretch = np.linspace(0.5, 3.0, 6)
+    assert polynomial.nominal_uniaxial_stress(stretch) == pytest.approx(
+        ogden.nominal_uniaxial_stress(stretch), rel=1e-12
+    )
+    assert polynomial.initial_shear_modulus == ogden.initial_shear_modulus
+
+
+def test_mooney_rivlin_set_of_the_bellows_has_a_positive_modulus() -> None:
+    record = CATALOGUE["ninjaflex-mooney-rivlin-5"]
+    assert record.law.coefficients[0] < 0
+    assert 3 * record.shear_modulus == pytest.approx(13.974e6, rel=1e-12)
 
 
 def test_bellows_sets_have_the_moduli_that_fix_their_convention() -> None:

@@ -7,8 +7,10 @@ import numpy as np
 from numba import njit
 
 from actuators.mechanics.continuum.kernel.laws import (
+    MOONEY_RIVLIN_LAW,
     OGDEN_LAW,
     add_i1_law,
+    add_mooney_rivlin_law,
     add_ogden_law,
     add_pressure,
     inverse_transpose,
@@ -119,6 +121,8 @@ def integrate_element(
             a[:] = 0.0
         if code == OGDEN_LAW:
             add_ogden_law(coefficients, count, f, want_tangent, p, a)
+        elif code == MOONEY_RIVLIN_LAW:
+            add_mooney_rivlin_law(coefficients, f, det, h, want_tangent, p, a)
         else:
             add_i1_law(coefficients, f, det, h, want_tangent, p, a)
         add_pressure(pressure, det, h, want_tangent, p, a)

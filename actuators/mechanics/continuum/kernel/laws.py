@@ -9,7 +9,7 @@ from numba import njit
 
 from actuators.mechanics.continuum.kernel.eigen import symmetric_eigen
 
-I1_LAW, OGDEN_LAW = 0, 1
+I1_LAW, OGDEN_LAW, MOONEY_RIVLIN_LAW = 0, 1, 2
 
 
 @njit(cache=True)
@@ -88,6 +88,67 @@ def add_i1_law(
             for k in range(3):
                 if i == k:
                     a[3 * i + j, 3 * k + j] += s
+
+
+@njit(cache=True)
+def add_mooney_rivlin_law(
+    c: np.ndarray,
+    f: np.ndarray,
+    det: float,
+    h: np.ndarray,
+    want_tangent: bool,
+    p: np.ndarray,
+    a: np.ndarray,
+) -> None:
+    """W = C10 x + C01 y + C20 x^2 + C11 x y + C02 y^2, x = J^(-2/3) I1 - 3, y = J^(-4/3) I2 - 3."""
+    right, left = np.zeros((3, 3)), np.zeros((3, 3))  # F^T F and F F^T
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                right[i, j] += f[k, i] * f[k, j]
+                left[i, j] += f[i, k] * f[j, k]
+    first = right[0, 0] + right[1, 1] + right[2, 2]
+    second = 0.0
+    for i in range(3):
+        j = (i + 1) % 3
+        second += right[i, i] * right[j, j] - right[i, j] * right[i, j]
+    g = det ** (-2.0 / 3.0)
+    x, y = g * first - 3.0, g * g * second - 3.0
+    w1 = c[0] + 2.0 * c[2] * x + c[3] * y
+    w2 = c[1] + c[3] * x + 2.0 * c[4] * y
+    # x' = 2 g d, y' = 2 g^2 e; m = dI2/dF / 2
+    d, e, m = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
+    s1, s2 = 2.0 * w1 * g, 2.0 * w2 * g * g
+    for i in range(3):
+        for j in range(3):
+            m[i, j] = first * f[i, j]
+            for k in range(3):
+                m[i, j] -= f[i, k] * right[k, j]
+            d[i, j] = f[i, j] - first / 3.0 * h[i, j]
+            e[i, j] = m[i, j] - 2.0 / 3.0 * second * h[i, j]
+            p[i, j] += s1 * d[i, j] + s2 * e[i, j]
+    if not want_tangent:
+        return
+    b11, b12, b22 = 8.0 * c[2] * g * g, 4.0 * c[3] * g**3, 8.0 * c[4] * g**4
+    both = s1 * first / 3.0 + s2 * 2.0 / 3.0 * second
+    for i in range(3):
+        for j in range(3):
+            ahead = b11 * d[i, j] + b12 * e[i, j]
+            behind = b12 * d[i, j] + b22 * e[i, j]
+            turn = -2.0 / 3.0 * s1 * d[i, j] - 4.0 / 3.0 * s2 * e[i, j]
+            for k in range(3):
+                for n in range(3):
+                    value = ahead * d[k, n] + behind * e[k, n] + both * h[i, n] * h[k, j]
+                    value += turn * h[k, n]
+                    value -= h[i, j] * (2.0 / 3.0 * s1 * f[k, n] + 4.0 / 3.0 * s2 * m[k, n])
+                    value += s2 * (2.0 * f[i, j] * f[k, n] - f[i, n] * f[k, j])
+                    if i == k:
+                        value -= s2 * right[j, n]
+                        if j == n:
+                            value += s1 + s2 * first
+                    if j == n:
+                        value -= s2 * left[i, k]
+                    a[3 * i + j, 3 * k + n] += value
 
 
 @njit(cache=True)
