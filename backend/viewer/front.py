@@ -30,6 +30,14 @@ HIDING = """<style>
 canvas[data-engine]{opacity:1!important}
 html,body{margin:0;height:100%;overflow:hidden;background:transparent}
 </style>"""
+# viser's page starts a sorter for Gaussian splats at load, a WASM module whose glue (Embind) builds
+# functions from strings. The policy refuses that, rightly; no splats are shown here, and nothing
+# waits for the sorter. Its failure alone is kept off the console.
+QUIET = """<script>
+addEventListener("unhandledrejection", (event) => {
+  if (event.reason instanceof EvalError) event.preventDefault();
+});
+</script>"""
 HEADERS = {
     "Content-Security-Policy": POLICY,
     "Cache-Control": "no-store",
@@ -65,7 +73,7 @@ def _page() -> str:
     head, found, rest = page.partition("</head>")
     if not found:
         raise RuntimeError("viser's page has no head")
-    return f"{head}{HIDING}{found}{rest}"
+    return f"{head}{HIDING}{QUIET}{found}{rest}"
 
 
 async def _socket(socket: WebSocket, view_id: str) -> None:

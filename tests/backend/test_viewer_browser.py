@@ -55,6 +55,7 @@ class Studio:
         self.messages: list[str] = []
         self.page: Page = context.new_page()
         self.page.on("console", lambda m: self.messages.append(f"{m.type}: {m.text}"))
+        self.page.on("pageerror", lambda e: self.messages.append(f"error: {e}"))
         self.page.goto(base + self.view["url"])
         self.page.wait_for_selector("canvas[data-engine]")
         self.page.evaluate(WATCH)
