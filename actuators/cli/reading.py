@@ -68,14 +68,15 @@ def read_scene(pressure: str | None, file: str | None, steps: int | None) -> Sce
             field="pressure", mend="Give --pressure 30kPa or --scene FILE.",
         )  # fmt: skip
     document: dict[str, Any] = {} if file is None else read_json(file, field="scene")
-    path = document.get("pressure_kPa", {})
+    key = "volume_ml" if "volume_ml" in document and pressure is None else "pressure_kPa"
+    path = document.get(key, {})
     if isinstance(path, dict):
         given = dict(cast("dict[str, Any]", path))
         if pressure is not None:
             given["to"] = parse_quantity(pressure, "pressure", field="pressure") / 1e3
         if steps is not None:
             given["steps"] = steps
-        document["pressure_kPa"] = given
+        document[key] = given
     return Scene.from_document(document)
 
 

@@ -65,14 +65,44 @@ def predict(
             f"steps is {count}; it must lie between 1 and 1000.",
             field="steps", value=str(count), mend="Use 1 to 1000 steps.",
         )  # fmt: skip
-    pressures = np.linspace(0.0, scene.pressure_to, count + 1)
+    if rung not in RUNGS:
+        raise QuestionError(
+            f"rung is {rung!r}; the instant models are {' and '.join(RUNGS)}.",
+            field="rung", value=repr(rung), mend=f"Use {' or '.join(RUNGS)}.",
+        )  # fmt: skip
+    pressures = np.linspace(0.0, _end(scene, rung), count + 1)
     if rung == "energy":
         return _energy(design, scene, pressures, constant, begun)
-    if rung == "closed-form":
-        return _closed_form(design, scene, pressures, begun)
-    raise QuestionError(
-        f"rung is {rung!r}; the instant models are {' and '.join(RUNGS)}.",
-        field="rung", value=repr(rung), mend=f"Use {' or '.join(RUNGS)}.",
+    return _closed_form(design, scene, pressures, begun)
+
+
+def _end(scene: Scene, rung: str) -> float:
+    """Pressure [Pa] at the end; refuses what this rung cannot carry, naming the one that can."""
+    loads = {
+        "volume": scene.volume_to is not None,
+        "outside_pressure": scene.outside_pressure != 0.0,
+        "tip_force": scene.tip_force is not None,
+        "plate": scene.plate is not None,
+        "cylinder": scene.cylinder is not None,
+        "self_contact": scene.self_contact == "on",
+    }
+    for name, there in loads.items():
+        if there:
+            raise _beyond(rung, name, str(getattr(scene, _FIELDS.get(name, name))))
+    if scene.pressure_to is None or scene.pressure_to < 0.0:
+        raise _beyond(rung, "pressure", f"{(scene.pressure_to or 0.0) / 1e3:g} kPa (suction)")
+    return scene.pressure_to
+
+
+_FIELDS = {"volume": "volume_to"}
+
+
+def _beyond(rung: str, name: str, value: str) -> QuestionError:
+    mend = f"Use the rung fe, or leave {name} out."
+    return QuestionError(
+        f"{name} is {value}, which the rung {rung} cannot carry: it knows pressure"
+        f"{' and weight' if rung == 'energy' else ''} only. {mend}",
+        field=name, value=value, mend=mend,
     )  # fmt: skip
 
 

@@ -29,6 +29,8 @@ class PathPoint:
     line from the clamp (its middle, underside) to the tip against X1 in the X1-X3 plane, positive
     towards -X3; ``tip_rotation`` is the rotation of the end face about X2, same sign, unwrapped.
     ``curvature`` is the mean rod curvature about X2, ``torsion`` right-handed about X1 [1/m].
+    ``plate_force``, ``cylinder_force``: sizes of the forces on the scene's obstacles [N];
+    ``max_contact_pressure`` [Pa] on any touching surface, None where nothing touches.
     """
 
     pressure: float
@@ -43,6 +45,8 @@ class PathPoint:
     cavity_volume: float | None = None
     max_principal_stretch: float | None = None
     plate_force: float | None = None
+    cylinder_force: float | None = None
+    max_contact_pressure: float | None = None
 
     def to_document(self) -> dict[str, Any]:
         """Border form of ``predict --json``: mm, kPa, degrees, ml. Infinite becomes null."""
@@ -59,6 +63,8 @@ class PathPoint:
             "cavity_volume_ml": _finite(self.cavity_volume, 1e6),
             "max_principal_stretch": _finite(self.max_principal_stretch),
             "plate_force_N": _finite(self.plate_force),
+            "cylinder_force_N": _finite(self.cylinder_force),
+            "max_contact_pressure_kPa": _finite(self.max_contact_pressure, 1e-3),
         }
 
 
@@ -115,7 +121,9 @@ class Response:
     """Answer of one rung to (design, scene): the path found, and how it ended.
 
     ``path`` starts at zero pressure (after gravity). ``error_estimate`` is a fraction of the tip's
-    displacement, None where the rung has none. ``notes`` are findings a designer must read (walls
+    displacement, None where the rung has none; ``error_estimates`` name the same for "tip",
+    "angle", "force" and "volume" where known. ``limit_pressure``: the pressure's maximum [Pa] that
+    the path came to, None where it met none. ``notes`` are findings a designer must read (walls
     overlap by 0.4 mm, ...). ``trusted_to`` is the pressure up to which the rung's own assumptions
     hold [Pa], None where they hold on the whole path. ``timings`` [s] by stage.
     """
@@ -129,6 +137,8 @@ class Response:
     centreline: Centreline | None = None
     surface: SurfaceFields | None = None
     error_estimate: float | None = None
+    error_estimates: dict[str, float] = field(default_factory=dict)
+    limit_pressure: float | None = None
     trusted_to: float | None = None
     wall_s: float = 0.0
     unknowns: int = 0
@@ -147,6 +157,10 @@ class Response:
             "advice": self.advice,
             "path": [p.to_document() for p in self.path],
             "error_estimate_percent": _finite(self.error_estimate, 100.0),
+            "error_estimates_percent": {
+                name: _finite(value, 100.0) for name, value in self.error_estimates.items()
+            },
+            "limit_pressure_kPa": _finite(self.limit_pressure, 1e-3),
             "trusted_to_kPa": _finite(self.trusted_to, 1e-3),
             "wall_s": self.wall_s,
             "unknowns": self.unknowns,

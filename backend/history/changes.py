@@ -60,19 +60,23 @@ def entries(one: VersionRow, other: VersionRow) -> Iterator[Entry]:
                 seen.add(p.border_name)
                 here, there = left.get(p.border_name), right.get(p.border_name)
                 yield Entry(p.name, p.label, p.unit, here, there)
-    yield Entry(
-        "pressure_to", "Pressure up to", "kPa",
-        scene_left["pressure_kPa"]["to"], scene_right["pressure_kPa"]["to"],
-    )  # fmt: skip
-    yield Entry(
-        "steps", "Pressure steps", "",
-        scene_left["pressure_kPa"]["steps"], scene_right["pressure_kPa"]["steps"],
-    )  # fmt: skip
+    for key, name, label, unit in (
+        ("pressure_kPa", "pressure_to", "Pressure up to", "kPa"),
+        ("volume_ml", "volume_to", "Volume up to", "ml"),
+    ):
+        if key in scene_left or key in scene_right:
+            here, there = scene_left.get(key, {}), scene_right.get(key, {})
+            yield Entry(name, label, unit, here.get("to"), there.get("to"))
+    yield Entry("steps", "Steps", "", _steps(scene_left), _steps(scene_right))
     yield Entry("gravity", "Gravity", "m/s2", _gravity(scene_left), _gravity(scene_right))
 
 
 def _title(family: str) -> str:
     return FAMILIES[family].title
+
+
+def _steps(scene: Mapping[str, Any]) -> Any:
+    return (scene.get("pressure_kPa") or scene["volume_ml"])["steps"]
 
 
 def _gravity(scene: Mapping[str, Any]) -> str:

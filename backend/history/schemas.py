@@ -19,7 +19,8 @@ class Change(Answer):
 
 
 class ResultSummary(Answer):
-    """What a finished job of this version found."""
+    """An answer to this version's design: found by its own jobs, or for another version that holds
+    the same design in the same scene. Each answer stands once."""
 
     job_id: str
     rung: str
@@ -61,6 +62,10 @@ class VersionDetail(Answer):
     design: DesignDocument
     scene: SceneDocument
     jobs: list[Job]
+    answered_by: list[Job] = Field(
+        description="Done jobs of other versions that hold the same design in the same scene (a "
+        "fork's origin): their answers are this version's as well; newest first"
+    )
 
 
 class VersionPatch(Body):

@@ -1,6 +1,6 @@
 """Versions of a design: details, history with changes and results, names, forks."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from backend.designs.schemas import CreatedDesign
 from backend.history.changes import changes
@@ -29,6 +29,11 @@ def detail(store: Store, version_id: str) -> VersionDetail:
         label=version.label, author=version.author, created_at=version.created_at,
         note=version.note, design=version.document, scene=version.scene,
         jobs=[as_job(job) for job in jobs],
+        answered_by=[
+            as_job(job)
+            for job in _same_content(store, version)
+            if job.version_id != version_id
+        ],
     )  # fmt: skip
 
 
@@ -41,7 +46,7 @@ def history(store: Store, design_id: str) -> list[VersionSummary]:
             id=row.id, number=row.number, parent_id=row.parent_id, label=row.label,
             author=row.author, created_at=row.created_at, note=row.note,
             changes=_changes(row, rows),
-            results=[_result(store, job) for job in jobs if job.version_id == row.id],
+            results=_results(store, row, [job for job in jobs if job.version_id == row.id]),
         )
         for row in reversed(rows.values())
     ]  # fmt: skip
@@ -64,6 +69,20 @@ def _changes(row: VersionRow, rows: Mapping[str, VersionRow]) -> list[Change]:
     if parent is None:
         return []
     return changes(parent, row)
+
+
+def _same_content(store: Store, version: VersionRow) -> list[JobRow]:
+    """Done jobs about the same design in the same scene, whichever version asked; newest first."""
+    content = (version.design_digest, version.scene_digest)
+    return store.list_jobs(states=["done"], content=content, limit=_MOST_JOBS)
+
+
+def _results(store: Store, version: VersionRow, own: Sequence[JobRow]) -> list[ResultSummary]:
+    """Answers of a version, newest first. A question asked again has the same answer: it stands
+    once, under the first job that asked."""
+    by_question = {job.digest: job for job in [*_same_content(store, version), *own]}
+    jobs = sorted(by_question.values(), key=lambda job: job.created_at, reverse=True)
+    return [_result(store, job) for job in jobs]
 
 
 def _result(store: Store, job: JobRow) -> ResultSummary:

@@ -115,7 +115,7 @@ def test_bad_questions_store_nothing(store: Store, version: VersionRow) -> None:
     with pytest.raises(QuestionError):
         store.submit(version.id, SCENE, "guess", 0.05, "ada")
     with pytest.raises(SceneError):
-        store.submit(version.id, {"pressure_kPa": {"to": -5}}, "fe", 0.05, "ada")
+        store.submit(version.id, {"pressure_kPa": {"to": -500}}, "fe", 0.05, "ada")
     with pytest.raises(NotFoundError):
         store.submit("nowhere", SCENE, "fe", 0.05, "ada")
     assert store.list_jobs() == []

@@ -16,7 +16,7 @@ VISIBLE_OVERLAP = 0.01e-3
 def advice(path: Path, points: Sequence[PathPoint], scene: Scene) -> str | None:
     """One or two sentences on a path that did not reach its end."""
     reached = points[-1].pressure / 1e3 if points else 0.0
-    asked = scene.pressure_to / 1e3
+    asked = (scene.pressure_to or 0.0) / 1e3
     if path.outcome is Outcome.LIMIT_POINT:
         return (
             f"No equilibrium above {reached:.3g} kPa ({asked:.4g} kPa were asked for): there the "

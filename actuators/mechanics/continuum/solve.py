@@ -11,6 +11,7 @@ from actuators.design.base import Design
 from actuators.errors import QuestionError
 from actuators.geometry import Body, build_body
 from actuators.mechanics.continuum.assembly import region_materials
+from actuators.mechanics.continuum.loads import check_loads
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
@@ -65,9 +66,10 @@ def solve(
             f"accuracy is {accuracy:g}; it must lie between 0.0001 and 1 (0.05 means 5 %).",
             field="accuracy", value=f"{accuracy:g}", mend="Use for example 0.05.",
         )  # fmt: skip
+    check_loads(scene)
     monitor = Monitor(progress, cancelled, time_budget)
     body = build_body(design)
-    if body.symmetric and (scene.gravity is None or scene.gravity[1] == 0.0):
+    if body.symmetric and scene.symmetric:
         body = body.half()
     return solve_body(body, design, scene, accuracy, monitor)
 
@@ -104,18 +106,21 @@ def _report(scene: Scene) -> list[float] | None:
     """Pressures to report [Pa], None to leave it to the path."""
     if scene.steps is None:
         return None
-    return [scene.pressure_to * (i + 1) / scene.steps for i in range(scene.steps)]
+    pressure_to = scene.pressure_to or 0.0
+    return [pressure_to * (i + 1) / scene.steps for i in range(scene.steps)]
 
 
 def _coarse_path(level: _Level, scene: Scene, monitor: Monitor) -> Path:
+    pressure_to = scene.pressure_to or 0.0
+
     def watch(pressure: float) -> None:
-        share = pressure / scene.pressure_to if scene.pressure_to > 0 else 1.0
+        share = pressure / pressure_to if pressure_to > 0 else 1.0
         monitor.report(SHARE_OF_PATH * share, f"coarse mesh at {pressure / 1e3:.3g} kPa", pressure)
 
     first = "own weight" if scene.gravity is not None else "first pressure step"
     monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
     follower = PathFollower(level.system, level.solver, stop=monitor.stop, watch=watch)
-    return follower.follow(scene.pressure_to, _report(scene))
+    return follower.follow(pressure_to, _report(scene))
 
 
 def _refine(
@@ -143,7 +148,7 @@ def _refine(
         )
         anchor = refinement.anchor(before)
         if anchor is not None:
-            rest = refinement.beyond(anchor, scene.pressure_to, _report(scene))
+            rest = refinement.beyond(anchor, scene.pressure_to or 0.0, _report(scene))
             limits = (limit, rest.points[-1].pressure) if rest and rest.points else None
             estimate = difference(before, anchor, limits)
             if estimate <= accuracy or number == len(usable) - 1:

@@ -1,0 +1,24 @@
+"""What of a scene the three-dimensional solver can carry."""
+
+from actuators.errors import QuestionError
+from actuators.mechanics.scene import Scene
+
+
+def check_loads(scene: Scene) -> None:
+    """Refuse what this solver does not compute."""
+    missing = {
+        "volume": scene.volume_to is not None,
+        "pressure": (scene.pressure_to or 0.0) < 0.0,
+        "outside_pressure": scene.outside_pressure != 0.0,
+        "tip_force": scene.tip_force is not None,
+        "plate": scene.plate is not None,
+        "cylinder": scene.cylinder is not None,
+        "self_contact": scene.self_contact == "on",
+    }
+    for name, there in missing.items():
+        if there:
+            raise QuestionError(
+                f"{name} of this scene is not something this version computes: it knows pressure "
+                f"from zero up, and weight. Leave {name} out.",
+                field=name, mend=f"Leave {name} out.",
+            )  # fmt: skip
