@@ -11,6 +11,6 @@ from actuators.materials.stability import StableRange
 from actuators.materials.yeoh import Yeoh
 
 __all__ = [
-    "CATALOGUE", "HyperelasticLaw", "LinearElastic", "Material", "MooneyRivlin", "NeoHooke", "Ogden", "StableRange", "Yeoh",
-    "material",
+    "CATALOGUE", "HyperelasticLaw", "LinearElastic", "Material", "MooneyRivlin", "NeoHooke",
+    "Ogden", "StableRange", "Yeoh", "material",
 ]  # fmt: skip
