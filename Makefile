@@ -51,6 +51,10 @@ $(STAMPS)/kernels: $(STAMPS)/python $(KERNEL_SOURCES)
 chromium:
 	@command -v chromium >/dev/null || ./tools/apt_install.sh chromium
 
+.PHONY: calculix
+calculix:
+	@command -v ccx >/dev/null || ./tools/apt_install.sh calculix-ccx
+
 .PHONY: check
 check: setup  ## lint, types, import rules, page checks
 	$(VENV)/bin/ruff check .
@@ -60,11 +64,11 @@ check: setup  ## lint, types, import rules, page checks
 	cd frontend && PATH="$$(../tools/node_path.sh ../$(VENV)):$$PATH" npm run --silent check
 
 .PHONY: test
-test: setup chromium check  ## set up and run all tests but the slow studies
+test: setup chromium calculix check  ## set up and run all tests but the slow studies
 	$(VENV)/bin/pytest
 
 .PHONY: test-all
-test-all: setup chromium check  ## the slow studies too
+test-all: setup chromium calculix check  ## the slow studies too
 	$(VENV)/bin/pytest -m ''
 
 .PHONY: lock

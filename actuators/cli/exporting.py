@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from actuators.cli.reading import read_design
+from actuators.cli.reading import read_design, read_scene
 from actuators.cli.studio import answer, json_option
 from actuators.cli.tables import table
 from actuators.errors import QuestionError
@@ -12,20 +12,48 @@ from actuators.errors import QuestionError
 
 @click.command()
 @click.argument("design")
-@click.option("--what", required=True, metavar="KIND,...", help="mould-svg, actuator-stl.")
+@click.option(
+    "--what",
+    required=True,
+    metavar="KIND,...",
+    help="mould-svg, actuator-stl; for one scene: inp (Abaqus, CalculiX).",
+)
 @click.option("--to", "folder", required=True, metavar="FOLDER", help="Folder to write into.")
+@click.option("--pressure", metavar="QUANTITY", help="End of the pressure path, such as 30kPa.")
+@click.option("--scene", "scene_file", metavar="FILE", help="Scene as a JSON file.")
+@click.option(
+    "--mesh",
+    metavar="NAME|I,J,K",
+    help="coarse, medium, fine, finest, or thin layers along X1, X2, X3.",
+)
+@click.option("--element", default="C3D20R", show_default=True, metavar="TYPE",
+              help="Element of an inp deck: C3D20R, C3D20, C3D8.")  # fmt: skip
 @click.option(
     "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
 )
 @json_option
-def export(design: str, what: str, folder: str, changes: tuple[str, ...], *, as_json: bool) -> None:
+def export(
+    design: str,
+    what: str,
+    folder: str,
+    pressure: str | None,
+    scene_file: str | None,
+    mesh: str | None,
+    element: str,
+    changes: tuple[str, ...],
+    *,
+    as_json: bool,
+) -> None:
     """Write files of DESIGN (a preset or a JSON file); files of the same name are replaced."""
-    from actuators.export import notes, write
+    from actuators.export import ModelQuestion, notes, write
 
     chosen = read_design(design, changes)
     kinds = dict.fromkeys(kind.strip() for kind in what.split(","))
     # everything is made before anything is written: a bad kind leaves no half set of files
-    made = {kind: write(chosen, kind) for kind in kinds}
+    question = None
+    if pressure is not None or scene_file is not None:
+        question = ModelQuestion(read_scene(pressure, scene_file, None), mesh, element)
+    made = {kind: write(chosen, kind, question) for kind in kinds}
     target = Path(folder)
     written: list[tuple[str, str, int]] = []
     try:

@@ -6,6 +6,7 @@ from actuators.design.base import Design
 from actuators.design.slab import SlabDesign
 from actuators.errors import QuestionError
 from actuators.export.actuator_stl import actuator_stl
+from actuators.export.models import MODEL_KINDS, ModelQuestion, write_model
 from actuators.export.mould_svg import mould_svg
 from actuators.fabrication.slab_mould import slab_moulds
 
@@ -26,23 +27,31 @@ _WRITERS: Mapping[str, Callable[[Design], dict[str, bytes]]] = {
     "actuator-stl": actuator_stl,
 }
 
-KINDS: tuple[str, ...] = tuple(_WRITERS)
+KINDS: tuple[str, ...] = (*_WRITERS, *MODEL_KINDS)
+"""All kinds; those of :data:`MODEL_KINDS` need a question."""
 
 
 def available(design: Design) -> tuple[str, ...]:
-    """Kinds of files that this design has."""
-    return KINDS if isinstance(design, SlabDesign) else ("actuator-stl",)
+    """Kinds of files that this design has by itself, without a scene."""
+    return tuple(_WRITERS) if isinstance(design, SlabDesign) else ("actuator-stl",)
 
 
-def write(design: Design, what: str) -> dict[str, bytes]:
-    """Files of one kind by name. Raises :class:`QuestionError` for an unknown kind, or one that the
-    design's family does not have."""
-    if what not in _WRITERS:
+def write(design: Design, what: str, question: ModelQuestion | None = None) -> dict[str, bytes]:
+    """Files of one kind by name. Raises :class:`QuestionError` for an unknown kind, one that the
+    design's family does not have, or one that needs a ``question`` and has none."""
+    if what in _WRITERS:
+        return _WRITERS[what](design)
+    if what not in MODEL_KINDS:
         raise QuestionError(
-            f"what is {what!r}; this version writes {' and '.join(KINDS)}.",
-            field="what", value=what, mend=f"Use {' or '.join(KINDS)}.",
+            f"what is {what!r}; this version writes {', '.join(KINDS[:-1])} and {KINDS[-1]}.",
+            field="what", value=what, mend=f"Use one of {', '.join(KINDS)}.",
         )  # fmt: skip
-    return _WRITERS[what](design)
+    if question is None:
+        raise QuestionError(
+            f"what is {what!r}, which is made for one scene. Give a pressure or a scene.",
+            field="pressure", value="", mend="Give --pressure 30kPa or --scene FILE.",
+        )  # fmt: skip
+    return write_model(design, what, question)
 
 
 def notes(design: Design, what: str) -> tuple[str, ...]:
@@ -52,4 +61,4 @@ def notes(design: Design, what: str) -> tuple[str, ...]:
     return ()
 
 
-__all__ = ["KINDS", "available", "notes", "write"]
+__all__ = ["KINDS", "MODEL_KINDS", "ModelQuestion", "available", "notes", "write"]

@@ -152,7 +152,7 @@ def test_an_oblique_mould_is_refused_with_the_reason() -> None:
 
 
 def test_an_unknown_kind_is_refused_with_those_there_are() -> None:
-    with pytest.raises(QuestionError, match="mould-svg and actuator-stl"):
+    with pytest.raises(QuestionError, match="mould-svg, actuator-stl"):
         write(preset("oblique-45").design, "step")
 
 

@@ -1,0 +1,232 @@
+"""The finite-element model as an Abaqus input deck that CalculiX runs too.
+
+Two steps, as the solver takes them: all loads but inflation first, then the cavity's pressure on
+top. Node n of a mesh is node n + 1 of its deck; the nodes that a 20- or 8-node element does not
+have are left out.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from actuators.design.base import Design
+from actuators.errors import QuestionError
+from actuators.export.inp_material import material_card
+from actuators.materials import Material
+from actuators.mechanics.scene import Scene
+from actuators.meshing import Faces, HexMesh
+
+_CORNERS = (0, 2, 8, 6, 18, 20, 26, 24)
+_EDGES = (1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15)
+ELEMENTS: Mapping[str, tuple[int, ...]] = {
+    "C3D20R": (*_CORNERS, *_EDGES),
+    "C3D20": (*_CORNERS, *_EDGES),
+    "C3D8": _CORNERS,
+}
+"""Element types and the local nodes (i + 3 j + 9 k) they keep, in Abaqus's order."""
+_SIDES = (6, 4, 3, 5, 1, 2)
+"""Abaqus's number of our faces x-, x+, y-, y+, z-, z+."""
+_MM, _MPA = 1e3, 1e-6
+
+
+def deck(
+    mesh: HexMesh,
+    materials: Sequence[Material],
+    scene: Scene,
+    *,
+    element: str = "C3D20R",
+    heading: Sequence[str] = (),
+) -> str:
+    """The deck's text. Raises :class:`QuestionError` for what it cannot carry."""
+    _refuse(mesh, scene, element)
+    chosen = mesh.elements[:, ELEMENTS[element]]
+    kept = np.unique(chosen)
+    names = [_name(region.name) for region in mesh.regions]
+    lines = [*_heading(heading, mesh, scene, element), "*NODE, NSET=NALL"]
+    lines += [
+        f"{n + 1}, {x:.9g}, {y:.9g}, {z:.9g}"
+        for n, (x, y, z) in zip(kept, mesh.nodes[kept] * _MM, strict=True)
+    ]
+    for number, name in enumerate(names):
+        lines.append(f"*ELEMENT, TYPE={element}, ELSET={name}")
+        for m in np.flatnonzero(mesh.region == number):
+            lines += _rows([m + 1, *(chosen[m] + 1)], 16)
+    lines += ["*ELSET, ELSET=EALL", *_rows(names, 1)]
+    for name, nodes in _node_sets(mesh).items():
+        present = np.intersect1d(nodes, kept) + 1
+        if len(present):
+            lines += [f"*NSET, NSET={name}", *_rows(present, 16)]
+    cavity = _face_sets("CAVITY", mesh.cavity_faces, mesh)
+    loaded = dict(cavity)
+    if scene.outside_pressure:
+        loaded |= _face_sets("UNDERSIDE", _underside(mesh), mesh)
+    for name, (_, elements) in loaded.items():
+        lines += [f"*ELSET, ELSET={name}", *_rows(elements + 1, 16)]
+    for name, region, material in zip(names, mesh.regions, materials, strict=True):
+        card = f"M-{name}"[:80]
+        lines += [f"** region: {region.name}", *material_card(material, card)]
+        lines.append(f"*SOLID SECTION, ELSET={name}, MATERIAL={card}")
+    lines += ["*BOUNDARY", "CLAMP, 1, 3"]
+    if mesh.is_half:
+        lines.append("SYMMETRY, 2, 2")
+    before = _loads_before(mesh, scene, loaded, chosen, element)
+    if before:
+        lines += ["** step 1: what acts before inflation", *_step(before)]
+    lines += ["** inflation: the pressure turns and stretches with the walls"]
+    pressure = (scene.pressure_to or 0.0) * _MPA
+    lines += _step(["*DLOAD", *_pressures("CAVITY", cavity, pressure)])
+    return "\n".join(lines) + "\n"
+
+
+def _refuse(mesh: HexMesh, scene: Scene, element: str) -> None:
+    if element not in ELEMENTS:
+        raise QuestionError(
+            f"element is {element!r}; a deck has {', '.join(ELEMENTS)}.",
+            field="element", value=element, mend=f"Use one of {', '.join(ELEMENTS)}.",
+        )  # fmt: skip
+    held = {
+        "volume_ml": scene.volume_to is not None,
+        "plate": scene.plate is not None,
+        "cylinder": scene.cylinder is not None,
+        "self_contact": scene.self_contact == "on",
+        "membrane": len(mesh.membrane_faces) > 0,
+    }
+    for field, present in held.items():
+        if present:
+            raise QuestionError(
+                f"what is inp, but a deck of this version cannot carry {field}: it holds pressure, "
+                "gravity, outside pressure and a tip force. Leave it out, or export vtu.",
+                field=field, value="inp", mend=f"Leave {field} out, or export vtu.",
+            )  # fmt: skip
+
+
+def _heading(lines: Sequence[str], mesh: HexMesh, scene: Scene, element: str) -> list[str]:
+    out = ["*HEADING", *(lines or ["Pneumatic actuator"])]
+    out += [
+        "** Units: N, mm, MPa, tonne, s (density in tonne/mm3, acceleration in mm/s2).",
+        "** X1 from the clamp along the body, X2 across, X3 up from the underside.",
+        f"** {len(mesh.elements)} elements {element}"
+        + ("; half model, X2 = 0 is a plane of symmetry." if mesh.is_half else "."),
+        "** CalculiX: ccx NAME (without .inp). Abaqus: C3D20RH in place of C3D20R suits nearly",
+        "** incompressible rubber better. Walls that meet pass through each other here.",
+    ]
+    if scene.pressure_to is not None:
+        out.append(f"** Cavity pressure at the end: {scene.pressure_to * _MPA:.9g} MPa.")
+    return out
+
+
+def _name(text: str) -> str:
+    return "".join(c if c.isalnum() else "_" for c in text.upper())
+
+
+def _rows(values: Iterable[object], width: int) -> list[str]:
+    """Lines of ``width`` entries; a line that goes on ends in a comma where it must."""
+    texts = [str(value) for value in values]
+    rows = [texts[k : k + width] for k in range(0, len(texts), width)]
+    return [", ".join(row) + ("," if width > 1 else "") for row in rows[:-1]] + [
+        ", ".join(rows[-1])
+    ]
+
+
+def _node_sets(mesh: HexMesh) -> dict[str, np.ndarray]:
+    return {
+        "CLAMP": mesh.clamp_nodes,
+        "SYMMETRY": mesh.symmetry_nodes,
+        "FREE_END": mesh.tip_nodes,
+        "TIP": mesh.underside_line[-1:],
+        "UNDERSIDE_LINE": mesh.underside_line,
+    }
+
+
+def _face_sets(prefix: str, faces: Faces, mesh: HexMesh) -> dict[str, tuple[int, np.ndarray]]:
+    """Abaqus's side number and the elements of each set, by the set's name."""
+    return {
+        f"{prefix}_P{side}": (side, np.unique(faces.element[faces.local == local]))
+        for local, side in enumerate(_SIDES)
+        if (faces.local == local).any()
+    }
+
+
+def _underside(mesh: HexMesh) -> Faces:
+    faces = mesh.outer_faces
+    down = (faces.local == 4) & (mesh.box[faces.element, 2] == 0)
+    return Faces(faces.element[down], faces.local[down], faces.nodes[down])
+
+
+def _pressures(
+    prefix: str, sets: Mapping[str, tuple[int, np.ndarray]], pressure: float
+) -> list[str]:
+    return [
+        f"{name}, P{side}, {pressure:.9g}"
+        for name, (side, _) in sets.items()
+        if name.startswith(prefix)
+    ]
+
+
+def _loads_before(
+    mesh: HexMesh,
+    scene: Scene,
+    sets: Mapping[str, tuple[int, np.ndarray]],
+    chosen: np.ndarray,
+    element: str,
+) -> list[str]:
+    distributed: list[str] = []
+    size = float(np.linalg.norm(scene.gravity)) if scene.gravity is not None else 0.0
+    if scene.gravity is not None and size > 0:
+        x, y, z = (g / size for g in scene.gravity)
+        distributed.append(f"EALL, GRAV, {size * _MM:.9g}, {x:.9g}, {y:.9g}, {z:.9g}")
+    if scene.outside_pressure:
+        distributed += _pressures("UNDERSIDE", sets, scene.outside_pressure * _MPA)
+    lines = ["*DLOAD", *distributed] if distributed else []
+    if scene.tip_force is not None:
+        lines += ["*CLOAD", *_tip_loads(mesh, np.array(scene.tip_force), element)]
+    return lines
+
+
+def _tip_loads(mesh: HexMesh, force: np.ndarray, element: str) -> list[str]:
+    """Nodal forces of a traction that is even over the free end."""
+    faces = mesh.outer_faces
+    at_end = (faces.local == 1) & (mesh.box[faces.element, 0] == len(mesh.lines[0]) - 2)
+    nodes = faces.nodes[at_end]
+    corner = mesh.nodes[nodes]
+    area = np.linalg.norm(
+        np.cross(corner[:, 8] - corner[:, 0], corner[:, 6] - corner[:, 2]), axis=-1
+    )
+    # integrals of the shape functions over a face, in our 3 x 3 order
+    share = {8: (3, 0, 3, 0, 0, 0, 3, 0, 3), 20: (-1, 4, -1, 4, 0, 4, -1, 4, -1)}
+    weights = np.array(share[len(ELEMENTS[element])]) / 12
+    total = np.zeros(len(mesh.nodes))
+    np.add.at(total, nodes, area[:, None] * weights)
+    whole = force * (0.5 if mesh.is_half else 1.0) / total.sum()
+    return [
+        f"{n + 1}, {d + 1}, {total[n] * whole[d]:.9g}"
+        for n in np.flatnonzero(total)
+        for d in range(3)
+        if whole[d] != 0.0
+    ]
+
+
+def _step(loads: Sequence[str]) -> list[str]:
+    return [
+        "*STEP, NLGEOM, INC=2000",
+        "*STATIC",
+        "0.1, 1., 1e-6, 0.25",
+        *loads,
+        "*NODE FILE",
+        "U",
+        "*EL FILE",
+        "S, E",
+        "*NODE PRINT, NSET=TIP",
+        "U",
+        "*END STEP",
+    ]
+
+
+def abaqus_deck(
+    design: Design, mesh: HexMesh, materials: Sequence[Material], scene: Scene, element: str
+) -> dict[str, bytes]:
+    """``model.inp``."""
+    heading = [f"{design.title}, design {design.digest[:12]}, scene {scene.digest[:12]}"]
+    notes = [f"** Assumed: {text}" for text in design.assumptions()]
+    text = deck(mesh, materials, scene, element=element, heading=[*heading, *notes])
+    return {"model.inp": text.encode("ascii", "replace")}
