@@ -78,23 +78,28 @@ def predict(
 
 def _end(scene: Scene, rung: str) -> float:
     """Pressure [Pa] at the end; refuses what this rung cannot carry, naming the one that can."""
-    loads = {
-        "volume": scene.volume_to is not None,
-        "outside_pressure": scene.outside_pressure != 0.0,
-        "tip_force": scene.tip_force is not None,
-        "plate": scene.plate is not None,
-        "cylinder": scene.cylinder is not None,
-        "self_contact": scene.self_contact == "on",
-    }
-    for name, there in loads.items():
-        if there:
-            raise _beyond(rung, name, str(getattr(scene, _FIELDS.get(name, name))))
+    for name, value in _beyond_pressure_and_weight(scene).items():
+        if value:
+            raise _beyond(rung, name, value)
     if scene.pressure_to is None or scene.pressure_to < 0.0:
         raise _beyond(rung, "pressure", f"{(scene.pressure_to or 0.0) / 1e3:g} kPa (suction)")
     return scene.pressure_to
 
 
-_FIELDS = {"volume": "volume_to"}
+def _beyond_pressure_and_weight(scene: Scene) -> dict[str, str]:
+    """Every other load as a designer writes it; empty where the scene has none."""
+    volume, force, plate, cylinder = scene.volume_to, scene.tip_force, scene.plate, scene.cylinder
+    outside = scene.outside_pressure
+    return {
+        "volume": "" if volume is None else f"{volume * 1e6:g} ml",
+        "outside_pressure": f"{scene.outside_pressure / 1e3:g} kPa"
+        if scene.outside_pressure
+        else "",
+        "tip_force": "" if force is None else f"({', '.join(f'{f:g}' for f in force)}) N",
+        "plate": "" if plate is None else f"{plate.gap * 1e3:g} mm away",
+        "cylinder": "" if cylinder is None else f"{cylinder.radius * 2e3:g} mm thick",
+        "self_contact": "on" if scene.self_contact == "on" else "",
+    }
 
 
 def _beyond(rung: str, name: str, value: str) -> QuestionError:
