@@ -92,9 +92,7 @@ def _beyond_pressure_and_weight(scene: Scene) -> dict[str, str]:
     outside = scene.outside_pressure
     return {
         "volume": "" if volume is None else f"{volume * 1e6:g} ml",
-        "outside_pressure": f"{scene.outside_pressure / 1e3:g} kPa"
-        if scene.outside_pressure
-        else "",
+        "outside_pressure": f"{outside / 1e3:g} kPa" if outside else "",
         "tip_force": "" if force is None else f"({', '.join(f'{f:g}' for f in force)}) N",
         "plate": "" if plate is None else f"{plate.gap * 1e3:g} mm away",
         "cylinder": "" if cylinder is None else f"{cylinder.radius * 2e3:g} mm thick",
