@@ -9,8 +9,6 @@ def check_loads(scene: Scene) -> None:
     missing = {
         "volume": scene.volume_to is not None,
         "pressure": (scene.pressure_to or 0.0) < 0.0,
-        "outside_pressure": scene.outside_pressure != 0.0,
-        "tip_force": scene.tip_force is not None,
         "plate": scene.plate is not None,
         "cylinder": scene.cylinder is not None,
         "self_contact": scene.self_contact == "on",
@@ -19,6 +17,6 @@ def check_loads(scene: Scene) -> None:
         if there:
             raise QuestionError(
                 f"{name} of this scene is not something this version computes: it knows pressure "
-                f"from zero up, and weight. Leave {name} out.",
+                f"from zero up, weight, outside pressure and tip force. Leave {name} out.",
                 field=name, mend=f"Leave {name} out.",
             )  # fmt: skip

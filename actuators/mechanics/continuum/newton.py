@@ -52,11 +52,11 @@ class Failure:
 @dataclass(frozen=True)
 class Target:
     """What is prescribed: ``pressure`` [Pa], or ``volume`` [m3] with ``pressure`` as first guess;
-    ``gravity`` as a fraction of the scene's."""
+    ``loads``: share of weight and outer loads."""
 
     pressure: float
     volume: float | None = None
-    gravity: float = 1.0
+    loads: float = 1.0
 
 
 def solve_equilibrium(
@@ -78,7 +78,7 @@ def solve_equilibrium(
     while iterations < most_iterations:
         if cancelled is not None and cancelled():
             return Failure("cancelled", iterations)
-        balance = system.linearise(state, pressure, gravity=target.gravity)
+        balance = system.linearise(state, pressure, loads=target.loads)
         if not balance.admissible:
             return Failure("an element is turned inside out", iterations)
         iterations += 1
@@ -94,7 +94,7 @@ def solve_equilibrium(
         factor = 1.0
         while True:
             trial, trial_pressure = state.moved(factor, step), pressure + factor * dp
-            balance = system.balance(trial, trial_pressure, gravity=target.gravity)
+            balance = system.balance(trial, trial_pressure, loads=target.loads)
             if balance.admissible:
                 again, dp_again = border.correction(trial, balance)
                 rest = _length(system, again)
@@ -111,7 +111,7 @@ def solve_equilibrium(
             if rest <= tolerance * size:
                 volume, _ = system.volume(state)
                 return Equilibrium(state, pressure, volume, iterations, solver.negative_eigenvalues)
-            balance = system.balance(state, pressure, gravity=target.gravity)
+            balance = system.balance(state, pressure, loads=target.loads)
             if not balance.admissible:
                 state, pressure = trial, trial_pressure
                 break

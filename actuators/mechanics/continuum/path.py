@@ -1,4 +1,4 @@
-"""Following equilibrium from rest through gravity and inflation, up to a limit point if any.
+"""Following equilibrium from rest through its loads and inflation, up to a limit point if any.
 
 Pressure is raised with adaptive steps from a linear prediction. Where a pressure step fails or
 lands on an unstable state, the cavity volume takes over as control: it passes the pressure's
@@ -37,7 +37,7 @@ from actuators.mechanics.response import Outcome
 FIRST_STEP, LARGEST_STEP = 0.05, 0.1
 """Fractions of the pressure range."""
 LARGEST_FIRST_MOVE = 0.1
-SMALLEST_SHARE_OF_GRAVITY = 1 / 256
+SMALLEST_SHARE_OF_LOADS = 1 / 256
 SMALLEST_FIRST_STEP = 1 / 500
 """Fraction of the range below which volume takes over."""
 SMALLEST_VOLUME_STEP = 1 / 2000
@@ -81,7 +81,7 @@ class PathFollower:
         """Path from zero to ``pressure_to`` [Pa]. ``report``: increasing pressures to stop at, the
         last one ``pressure_to``; None keeps every step."""
         path = self._path
-        start = self._apply_gravity()
+        start = self._apply_loads()
         if start is None:
             return path
         path.points.append(start)
@@ -111,18 +111,18 @@ class PathFollower:
             self._path.outcome = why
         return why is not None
 
-    def _apply_gravity(self) -> Equilibrium | None:
-        """State under its own weight at zero pressure, in shares small enough to turn by."""
+    def _apply_loads(self) -> Equilibrium | None:
+        """State under its loads at zero pressure, in shares small enough to turn by."""
         rest = self._system.rest()
         states: list[tuple[float, State]] = [(0.0, rest)]
-        step = self._first_share_of_gravity()
+        step = self._first_share_of_loads()
         while True:
             done = states[-1][0]
             share = done + step if done + 1.2 * step < 1.0 else 1.0
             recent = states[-PREDICTOR_STATES:]
             weights = lagrange_weights([known for known, _ in recent], share)
             start = combine([state for _, state in recent], weights)
-            result = self._solve(start, Target(0.0, gravity=share))
+            result = self._solve(start, Target(0.0, loads=share))
             if isinstance(result, Equilibrium):
                 if share == 1.0:
                     return result
@@ -132,12 +132,12 @@ class PathFollower:
                 return None
             else:
                 step = (share - done) / 2
-                if step < SMALLEST_SHARE_OF_GRAVITY:
+                if step < SMALLEST_SHARE_OF_LOADS:
                     self._path.outcome = Outcome.STALLED
-                    self._path.reason = f"gravity beyond {done:.0%}: {result.reason}"
+                    self._path.reason = f"weight and outer loads beyond {done:.0%}: {result.reason}"
                     return None
 
-    def _first_share_of_gravity(self) -> float:
+    def _first_share_of_loads(self) -> float:
         """Share whose linear answer moves the body by :data:`LARGEST_FIRST_MOVE` of its size."""
         system = self._system
         balance = system.linearise(system.rest(), 0.0)

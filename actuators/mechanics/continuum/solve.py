@@ -12,6 +12,7 @@ from actuators.errors import QuestionError
 from actuators.geometry import Body, build_body
 from actuators.mechanics.continuum.assembly import region_materials
 from actuators.mechanics.continuum.loads import check_loads
+from actuators.mechanics.continuum.outer_loads import outer_loads
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
@@ -97,8 +98,9 @@ def solve_body(
 def _open(body: Body, scene: Scene, layers: Layers) -> _Level:
     mesh = mesh_body(body, layers=layers)
     system = ContinuumSystem(
-        mesh, region_materials(mesh), free=clamped(mesh), gravity=scene.gravity
-    )
+        mesh, region_materials(mesh), free=clamped(mesh), gravity=scene.gravity,
+        outer_loads=outer_loads(mesh, scene),
+    )  # fmt: skip
     return _Level(system, open_solver(system.indptr, system.indices))
 
 
@@ -117,7 +119,8 @@ def _coarse_path(level: _Level, scene: Scene, monitor: Monitor) -> Path:
         share = pressure / pressure_to if pressure_to > 0 else 1.0
         monitor.report(SHARE_OF_PATH * share, f"coarse mesh at {pressure / 1e3:.3g} kPa", pressure)
 
-    first = "own weight" if scene.gravity is not None else "first pressure step"
+    loaded = scene.gravity or scene.tip_force or scene.outside_pressure
+    first = "own weight and loads" if loaded else "first pressure step"
     monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
     follower = PathFollower(level.system, level.solver, stop=monitor.stop, watch=watch)
     return follower.follow(pressure_to, _report(scene))

@@ -22,6 +22,7 @@ from actuators.mechanics.continuum.kernel.pattern import (
     scatter_map,
     upper_rows,
 )
+from actuators.mechanics.continuum.outer_loads import FacePlaces, OuterLoads, face_places
 from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.meshing import CENTRE, FACE_NODES, HexMesh
 
@@ -54,7 +55,7 @@ class Balance:
 
 
 class ContinuumSystem:
-    """A mesh with materials, gravity and ``interactions`` of its outside; ``free`` (n, 3) says
+    """A mesh with materials, loads and ``interactions`` of its outside; ``free`` (n, 3) says
     which displacements are unknown.
 
     Holds the memory of one tangent: :meth:`linearise` fills it, :meth:`reduce` and
@@ -69,8 +70,10 @@ class ContinuumSystem:
         free: np.ndarray,
         gravity: tuple[float, float, float] | None = None,
         interactions: Sequence[Interaction] = (),
+        outer_loads: OuterLoads | None = None,
     ) -> None:
         self.mesh = mesh
+        self._outer_loads = outer_loads
         self.interactions = tuple(interactions)
         self.materials = tuple(materials)
         unknown = free.copy()
@@ -95,6 +98,7 @@ class ContinuumSystem:
         with _PARALLEL:
             self._scatter = scatter_map(self._outer, self.dof, self.indptr, self.indices)
         self.values = np.zeros(len(self.indices))
+        self._outer_places: FacePlaces | None = None
 
     def _widen(self, positions: np.ndarray) -> None:
         """Make room in the matrix for surfaces that have come near each other."""
@@ -139,15 +143,15 @@ class ContinuumSystem:
         """Undeformed state."""
         return State(np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)))
 
-    def balance(self, state: State, pressure: float, *, gravity: float = 1.0) -> Balance:
-        """Residual at cavity ``pressure`` [Pa] and this fraction of gravity."""
-        return self._assemble(state, pressure, gravity, tangent=False)
+    def balance(self, state: State, pressure: float, *, loads: float = 1.0) -> Balance:
+        """Residual at cavity ``pressure`` [Pa] and this share of weight and outer loads."""
+        return self._assemble(state, pressure, loads, tangent=False)
 
-    def linearise(self, state: State, pressure: float, *, gravity: float = 1.0) -> Balance:
+    def linearise(self, state: State, pressure: float, *, loads: float = 1.0) -> Balance:
         """Residual, and the tangent kept in :attr:`values` (upper triangle)."""
-        return self._assemble(state, pressure, gravity, tangent=True)
+        return self._assemble(state, pressure, loads, tangent=True)
 
-    def _assemble(self, state: State, pressure: float, gravity: float, *, tangent: bool) -> Balance:
+    def _assemble(self, state: State, pressure: float, loads: float, *, tangent: bool) -> Balance:
         mesh = self.mesh
         residual = np.zeros_like(mesh.nodes)
         inner = np.zeros((len(mesh.elements), 4))
@@ -157,17 +161,30 @@ class ContinuumSystem:
         with _PARALLEL:
             assemble(
                 mesh.nodes, state.displacement, state.pressure, mesh.elements, mesh.region,
-                self.codes, self.counts, self.coefficients, self.kappa, gravity * self.weight,
+                self.codes, self.counts, self.coefficients, self.kappa, loads * self.weight,
                 pressure, self._face_start, self._face_local, FACE_NODES, self._colour_start,
                 self._colour_order, self._scatter, tangent, residual, inner, self.values,
                 self._recover, self._inverse, self._least,
             )  # fmt: skip
+        self._add_outer_loads(positions, loads, residual, tangent=tangent)
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
         if sound:
             matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
             for interaction in self.interactions:
                 interaction.add(positions, residual, matrix)
         return Balance(residual, inner, sound)
+
+    def _add_outer_loads(
+        self, positions: np.ndarray, share: float, residual: np.ndarray, *, tangent: bool
+    ) -> None:
+        loads = self._outer_loads
+        if loads is None:
+            return
+        loads.add_residual(positions, share, residual)
+        if tangent and loads.pressure != 0.0:
+            if self._outer_places is None:
+                self._outer_places = face_places(loads.faces, self.dof, self.indptr, self.indices)
+            self._outer_places.add(loads.tangent(positions, share), self.values)
 
     def reduce(self, balance: Balance) -> np.ndarray:
         """Condensed residual (unknowns,) with the tangent last filled."""
