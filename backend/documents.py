@@ -31,9 +31,17 @@ DesignDocument = Annotated[
 SceneDocument = Annotated[
     dict[str, Any],
     Field(
-        description="A scene: `pressure_kPa`: {`to`: kPa, `steps`: whole number or 'auto'}; "
-        "`gravity_m_s2`: three numbers [m/s2] or null, [0, 0, -9.81] when left out.",
-        examples=[{"pressure_kPa": {"to": 40, "steps": 20}, "gravity_m_s2": [0, 0, -9.81]}],
+        description="What loads and surrounds an actuator. One of `pressure_kPa` and `volume_ml`: "
+        "{`to`: end of the path, `steps`: whole number or 'auto'}; a pressure below 0 is suction, "
+        "a volume is the whole cavity's. `gravity_m_s2`: three numbers or null, [0, 0, -9.81] when "
+        "left out. `outside_pressure_kPa` acts on the underside. `tip_force_N`: three numbers, a "
+        "dead load on the free end. Rigid and frictionless: `plate`: {`gap_mm`, `normal`: from the "
+        "plate to the actuator}, `cylinder`: {`radius_mm`, `centre_mm`, `axis`}. `effects`: "
+        "{`self_contact`: 'auto', 'on' or 'off'}.",
+        examples=[
+            {"pressure_kPa": {"to": 40, "steps": 20}, "gravity_m_s2": [0, 0, -9.81]},
+            {"volume_ml": {"to": 40}, "plate": {"gap_mm": 5, "normal": [0, 0, 1]}},
+        ],
     ),
 ]
 Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"\S")]

@@ -1,7 +1,7 @@
 """Every error of the API in one form: what is wrong, with which entry, and how to mend it."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
@@ -9,8 +9,13 @@ from fastapi.responses import JSONResponse
 from pydantic import BaseModel, Field
 from starlette.exceptions import HTTPException
 
-from actuators.errors import InputError
+from actuators.errors import DesignError, InputError, QuestionError, SceneError
 from storage import NotFoundError, StoreAway
+
+Kind = Literal["design", "scene", "question", ""]
+_KINDS: Mapping[type[InputError], Kind] = {
+    DesignError: "design", SceneError: "scene", QuestionError: "question",
+}  # fmt: skip
 
 
 class ProblemDetail(BaseModel):
@@ -20,6 +25,11 @@ class ProblemDetail(BaseModel):
     field: str = Field(description="Name of the offending entry, or empty")
     value: str = Field(description="What was given, in border units, or empty")
     mend: str = Field(description="What to do about it, or empty")
+    kind: Kind = Field(
+        default="",
+        description="What was refused: a design that cannot be built, a scene that cannot be, a "
+        "question that this rung or this file cannot answer; empty for anything else",
+    )
 
 
 class Problem(BaseModel):
@@ -43,10 +53,16 @@ PROBLEMS: dict[int | str, dict[str, Any]] = {
 
 
 def problem(
-    status: int, message: str, *, field: str = "", value: str = "", mend: str = ""
+    status: int,
+    message: str,
+    *,
+    field: str = "",
+    value: str = "",
+    mend: str = "",
+    kind: Kind = "",
 ) -> JSONResponse:
     """The one form of an error answer."""
-    detail = ProblemDetail(message=message, field=field, value=value[:200], mend=mend)
+    detail = ProblemDetail(message=message, field=field, value=value[:200], mend=mend, kind=kind)
     return JSONResponse(Problem(detail=detail).model_dump(), status_code=status)
 
 
@@ -57,7 +73,15 @@ def install(app: FastAPI) -> None:
         if not isinstance(error, InputError):
             raise error
         status = 404 if isinstance(error, NotFoundError) else 422
-        return problem(status, str(error), field=error.field, value=error.value, mend=error.mend)
+        kinds: list[Kind] = [kind for base, kind in _KINDS.items() if isinstance(error, base)]
+        return problem(
+            status,
+            str(error),
+            field=error.field,
+            value=error.value,
+            mend=error.mend,
+            kind=kinds[0] if kinds else "",
+        )
 
     def on_validation(_: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, RequestValidationError):

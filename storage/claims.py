@@ -47,7 +47,12 @@ class Claims(Submission):
                 return None
             job = found[0]
             digest = question_digest(
-                job.design_digest, job.scene_digest, job.rung, job.accuracy, science_version
+                job.design_digest,
+                job.scene_digest,
+                job.rung,
+                job.accuracy,
+                science_version,
+                job.mesh,
             )
             now = self._now(connection)
             taken = connection.execute(
@@ -73,7 +78,15 @@ class Claims(Submission):
                 select(v.document).where(v.id == job.version_id)
             ).scalar_one()
             return ClaimedJob(
-                job_id, taken, document, job.scene, job.rung, job.accuracy, digest, job.budget_s
+                job_id,
+                taken,
+                document,
+                job.scene,
+                job.rung,
+                job.accuracy,
+                digest,
+                job.budget_s,
+                job.mesh,
             )
 
     def hold(self, job_id: str, attempt: int) -> Hold:
@@ -118,7 +131,7 @@ class Claims(Submission):
             if not found:
                 return False
             job = found[0]
-            names = ("digest", "design_digest", "scene_digest", "rung", "accuracy")
+            names = ("digest", "design_digest", "scene_digest", "rung", "accuracy", "mesh")
             question = {name: getattr(job, name) for name in (*names, "science_version")}
             answer = self._store_result(connection, question, document, arrays)
             self._close_done(connection, job, answer.document)

@@ -35,9 +35,11 @@ class Jobs(Events):
         version_id: str | None = None,
         design_id: str | None = None,
         states: Collection[JobState] | None = None,
+        content: tuple[str, str] | None = None,
         limit: int = 50,
     ) -> list[JobRow]:
-        """Jobs, newest first."""
+        """Jobs, newest first. ``content``: digests of the design and of the scene asked about,
+        whichever version holds them."""
         j = tables.job.c
         query = _jobs()
         if version_id is not None:
@@ -46,6 +48,9 @@ class Jobs(Events):
             query = query.where(tables.version.c.design_id == design_id)
         if states is not None:
             query = query.where(j.state.in_(states))
+        if content is not None:
+            design_digest, scene_digest = content
+            query = query.where(j.design_digest == design_digest, j.scene_digest == scene_digest)
         query = query.order_by(j.created_at.desc(), j.id).limit(limit)
         with self._read() as connection:
             return [JobRow(**row) for row in connection.execute(query).mappings()]

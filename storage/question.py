@@ -1,8 +1,9 @@
-"""The question a result answers: (design, scene, rung, accuracy, version of the science)."""
+"""The question a result answers: (design, scene, rung, accuracy, version of the science, mesh)."""
 
 import hashlib
 import json
 import math
+import re
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -19,10 +20,17 @@ _SCIENCE = ("design", "materials", "geometry", "meshing", "mechanics")
 
 
 def question_digest(
-    design_digest: str, scene_digest: str, rung: str, accuracy: float, science_version: str
+    design_digest: str,
+    scene_digest: str,
+    rung: str,
+    accuracy: float,
+    science_version: str,
+    mesh: str | None = None,
 ) -> str:
     """sha256 that names a question; equal questions have equal answers."""
-    parts = [design_digest, scene_digest, rung, float(accuracy), science_version]
+    parts: list[object] = [design_digest, scene_digest, rung, float(accuracy), science_version]
+    if mesh is not None:
+        parts.append(mesh)
     return hashlib.sha256(json.dumps(parts).encode()).hexdigest()
 
 
@@ -42,6 +50,30 @@ def check_question(rung: str, accuracy: object) -> None:
         raise QuestionError(
             f"accuracy is {accuracy!r}; it must lie between 0.001 (0.1 %) and 0.5 (50 %).",
             field="accuracy", value=repr(accuracy), mend="For example 0.05, five per cent.",
+        )  # fmt: skip
+
+
+MESHES = ("coarse", "medium", "fine", "finest")
+_LAYERS = re.compile(r"[0-3],[0-3],[0-3]")
+
+
+def check_mesh(mesh: object, rung: str) -> None:
+    """Raise :class:`QuestionError` for a mesh that no worker can make; None is the worker's choice.
+
+    A name, or thin layers along X1, X2 and X3 as in ``1,0,1``.
+    """
+    if mesh is None:
+        return
+    mend = f"Use {', '.join(MESHES)}, or layers along X1, X2, X3 such as 1,0,1."
+    if rung != "fe":
+        raise QuestionError(
+            f"mesh is {mesh!r}, but the rung {rung} has none.",
+            field="mesh", value=repr(mesh), mend="Leave the mesh out.",
+        )  # fmt: skip
+    if not isinstance(mesh, str) or not (mesh in MESHES or _LAYERS.fullmatch(mesh)):
+        raise QuestionError(
+            f"mesh is {mesh!r}; it is a name or three numbers of layers from 0 to 3. {mend}",
+            field="mesh", value=repr(mesh), mend=mend,
         )  # fmt: skip
 
 

@@ -32,7 +32,8 @@ class Results(Database):
         self, document: Mapping[str, Any], scene: Mapping[str, Any], rung: str
     ) -> ResultRow | None:
         """Stored answer of a rung for a design in a scene, whoever asked: the newest of the
-        most accurate. It may come from an older ``science_version``."""
+        most accurate; one on a mesh that was asked for only where there is no other. It may come
+        from an older ``science_version``."""
         r = tables.result
         query = (
             select(r)
@@ -41,7 +42,7 @@ class Results(Database):
                 r.c.scene_digest == Scene.from_document(scene).digest,
                 r.c.rung == rung,
             )
-            .order_by(r.c.accuracy, r.c.created_at.desc())
+            .order_by(r.c.mesh.is_not(None), r.c.accuracy, r.c.created_at.desc())
             .limit(1)
         )
         with self._read() as connection:

@@ -51,7 +51,8 @@ class VersionRow:
 
 @dataclass(frozen=True)
 class JobRow:
-    """A question put to the queue. ``pressure`` [Pa] is how far the solver got.
+    """A question put to the queue. ``pressure`` [Pa] is how far the solver got; ``mesh`` is the
+    one mesh asked for, None where the accuracy decides.
 
     ``digest`` names the question and, once done, its result (:meth:`Store.get_result`).
     ``from_store``: answered by a result that another job had computed. ``follows``: the job that
@@ -72,6 +73,7 @@ class JobRow:
     scene_digest: str
     digest: str
     budget_s: float
+    mesh: str | None
     state: JobState
     created_at: datetime
     started_at: datetime | None
@@ -112,6 +114,7 @@ class ClaimedJob:
     accuracy: float
     digest: str
     budget_s: float
+    mesh: str | None
 
 
 class Hold(StrEnum):
@@ -136,6 +139,7 @@ class ResultRow:
     document: dict[str, Any]
     artifact_sha256: str | None
     created_at: datetime
+    mesh: str | None
 
 
 @dataclass(frozen=True)

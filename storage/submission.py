@@ -10,7 +10,13 @@ from storage import tables
 from storage.database import new_id
 from storage.errors import NotFoundError
 from storage.jobs import ACTIVE, Jobs, jobs_where
-from storage.question import DEFAULT_BUDGET_S, check_question, question_digest, science_version
+from storage.question import (
+    DEFAULT_BUDGET_S,
+    check_mesh,
+    check_question,
+    question_digest,
+    science_version,
+)
 from storage.results import Results, closed_result
 from storage.rows import JobRow
 
@@ -32,6 +38,7 @@ class Submission(Jobs, Results):
         author: str,
         *,
         budget_s: float = DEFAULT_BUDGET_S,
+        mesh: str | None = None,
     ) -> JobRow:
         """Put a question about a version to the queue. Raises InputError for a bad one.
 
@@ -39,6 +46,7 @@ class Submission(Jobs, Results):
         that job. Under way for another version: a new job that ``follows`` the other one.
         """
         check_question(rung, accuracy)
+        check_mesh(mesh, rung)
         surroundings = Scene.from_document(scene)
         with self._write() as connection:
             v = tables.version.c
@@ -47,12 +55,12 @@ class Submission(Jobs, Results):
             ).scalar_one_or_none()
             if design_digest is None:
                 raise NotFoundError("version", version_id)
-            parts = (design_digest, surroundings.digest, rung, accuracy, science_version())
+            parts = (design_digest, surroundings.digest, rung, accuracy, science_version(), mesh)
             question = {
                 "version_id": version_id, "author": author, "scene": surroundings.to_document(),
                 "design_digest": design_digest, "scene_digest": surroundings.digest, "rung": rung,
                 "accuracy": float(accuracy), "science_version": science_version(),
-                "digest": question_digest(*parts), "budget_s": budget_s,
+                "digest": question_digest(*parts), "budget_s": budget_s, "mesh": mesh,
             }  # fmt: skip
             answered = self._from_store(connection, question)
             return answered or self._joined(connection, question) or self._insert_job(

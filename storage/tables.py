@@ -93,6 +93,7 @@ job = Table(
     Column("scene_digest", DIGEST, nullable=False),
     Column("digest", DIGEST, nullable=False, index=True),
     Column("budget_s", Double, nullable=False),
+    Column("mesh", String(20)),
     # where it stands
     Column("state", String(12), nullable=False),
     Column("created_at", Instant, nullable=False),
@@ -138,6 +139,7 @@ result = Table(
     Column("document", JSON, nullable=False),
     Column("artifact_sha256", DIGEST, ForeignKey("artifact.sha256")),
     Column("created_at", Instant, nullable=False),
+    Column("mesh", String(20)),
     Index("ix_result_design_digest", "design_digest", "scene_digest", "rung"),
 )  # fmt: skip
 

@@ -24,7 +24,10 @@ class Report(Protocol):
 
 
 class Solver(Protocol):
-    """Answers a question; calls ``progress`` now and then and stops soon after ``cancelled()``."""
+    """Answers a question; calls ``progress`` now and then and stops soon after ``cancelled()``.
+
+    ``mesh``: the one mesh to solve on, by name or layers; None to refine to ``accuracy``.
+    """
 
     def __call__(
         self,
@@ -32,6 +35,7 @@ class Solver(Protocol):
         scene: Scene,
         *,
         accuracy: float,
+        mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
     ) -> Response: ...
@@ -42,12 +46,15 @@ def _fe(
     scene: Scene,
     *,
     accuracy: float,
+    mesh: str | None,
     progress: Callable[[Report], None],
     cancelled: Callable[[], bool],
 ) -> Response:
     from actuators.mechanics import continuum
 
-    return continuum.solve(design, scene, accuracy=accuracy, progress=progress, cancelled=cancelled)
+    return continuum.solve(
+        design, scene, accuracy=accuracy, mesh=mesh, progress=progress, cancelled=cancelled
+    )
 
 
 def _instant(rung: str) -> Solver:
@@ -56,6 +63,7 @@ def _instant(rung: str) -> Solver:
         scene: Scene,
         *,
         accuracy: float,
+        mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
     ) -> Response:

@@ -60,6 +60,7 @@ def _solve(job: ClaimedJob, keeper: Keeper) -> Response:
         parse_design(job.design),
         Scene.from_document(job.scene),
         accuracy=job.accuracy,
+        mesh=job.mesh,
         progress=keeper.report,
         cancelled=keeper.cancelled,
     )

@@ -5,7 +5,7 @@ from backend.designs.question import read_design, read_scene
 from backend.history import versions
 from backend.history.changes import pairs
 from backend.history.schemas import ComparedSide, Comparison
-from backend.simulations.instant import answer
+from backend.simulations.instant import answer_in_part
 from backend.simulations.schemas import ResultDocument
 from storage import Store
 
@@ -25,8 +25,10 @@ def _side(store: Store, version_id: str) -> ComparedSide:
     best = store.best_result(version.design, version.scene, "fe")
     instant: ResultDocument | None = None
     reason: str | None = None
+    left_out: list[str] = []
     try:
-        response = answer(read_design(version.design), read_scene(version.scene))
+        response, loads = answer_in_part(read_design(version.design), read_scene(version.scene))
+        left_out = [each.field for each in loads]
         instant = ResultDocument.model_validate(response.to_document())
     except InputError as error:
         reason = str(error)
@@ -35,5 +37,6 @@ def _side(store: Store, version_id: str) -> ComparedSide:
         design=version.design,
         instant_result=instant,
         instant_error=reason,
+        instant_left_out=left_out,
         fe_result=None if best is None else ResultDocument.model_validate(best.document),
     )

@@ -99,6 +99,10 @@ class ComparedSide(Answer):
     instant_result: ResultDocument | None = Field(
         description="Answer of the energy model to the version's own scene"
     )
+    instant_left_out: list[str] = Field(
+        description="Loads of that scene which the energy model cannot carry and its answer does "
+        "not hold"
+    )
     instant_error: str | None = Field(description="Why there is no instant answer")
     fe_result: ResultDocument | None = Field(
         description="Answer of the newest finished finite-element job; null when there is none"

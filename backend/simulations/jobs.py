@@ -13,7 +13,7 @@ def submit(store: Store, queue: TaskQueue, body: NewJob, author: str) -> Job:
     """Put a question to the queue, and wake a worker for it."""
     version = store.get_version(body.version_id)
     scene = version.scene if body.scene is None else body.scene
-    row = store.submit(version.id, scene, body.rung, body.accuracy, author)
+    row = store.submit(version.id, scene, body.rung, body.accuracy, author, mesh=body.mesh)
     if row.state == "queued":
         queue.publish(store)
     return as_job(row)
@@ -49,6 +49,7 @@ def result(store: Store, job_id: str) -> ResultDocument:
 def as_job(row: JobRow) -> Job:
     """A row in border units."""
     pressure = row.scene.get("pressure_kPa") or {}
+    volume = row.scene.get("volume_ml") or {}
     return Job(
         id=row.id,
         version_id=row.version_id,
@@ -57,7 +58,9 @@ def as_job(row: JobRow) -> Job:
         design_name=row.design_name,
         rung=row.rung,
         accuracy=row.accuracy,
+        mesh=row.mesh,
         pressure_to_kPa=pressure.get("to"),
+        volume_to_ml=volume.get("to"),
         pressure_kPa=None if row.pressure is None else row.pressure / 1e3,
         state=row.state,
         outcome=row.outcome,

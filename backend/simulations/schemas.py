@@ -29,7 +29,11 @@ class PathPoint(Answer):
     helix_pitch_mm: float | None = None
     cavity_volume_ml: float | None = None
     max_principal_stretch: float | None = None
-    plate_force_N: float | None = None
+    plate_force_N: float | None = Field(default=None, description="On the rigid plate [N]")
+    cylinder_force_N: float | None = Field(default=None, description="On the rigid cylinder [N]")
+    max_contact_pressure_kPa: float | None = Field(
+        default=None, description="Largest on any touching surface [kPa]; null where none touches"
+    )
 
 
 class EffectNote(Answer):
@@ -54,6 +58,13 @@ class ResultDocument(Answer):
     advice: str | None = Field(description="What to do about an early end")
     path: list[PathPoint] = Field(description="From zero pressure on, after gravity")
     error_estimate_percent: float | None = Field(description="Of the tip's displacement [%]")
+    error_estimates_percent: dict[str, float | None] = Field(
+        default={}, description="Estimated errors by quantity: tip, angle, force, volume [%]"
+    )
+    limit_pressure_kPa: float | None = Field(
+        default=None,
+        description="There is no equilibrium above this pressure [kPa]; null: none was met",
+    )
     trusted_to_kPa: float | None = Field(
         default=None,
         description="The rung's own assumptions hold up to here [kPa]; null: on the whole path",
@@ -77,12 +88,28 @@ class PredictRequest(Body):
         description="Constant of the energy model: computed from the cell, the published one, or "
         "a number (dimensionless)",
     )
+    beyond: Literal["refuse", "leave out"] = Field(
+        default="refuse",
+        description="What to do with loads the rung cannot carry: refuse the question (422, naming "
+        "the load and the rung that can), or answer without them and list them in `left_out`",
+    )
+
+
+class LeftOutLoad(Answer):
+    """A load that the answer does not hold, because its rung cannot carry it."""
+
+    field: str = Field(description="Entry of the scene: 'plate', 'tip_force', 'volume', ...")
+    reason: str
 
 
 class Prediction(Answer):
     """An instant answer and how long its stages took."""
 
     result: ResultDocument
+    left_out: list[LeftOutLoad] = Field(
+        description="Loads that were left out; the result's `scene` is the one answered. A volume "
+        "to reach is replaced by the pressure at which the rung's own cavity has it"
+    )
     timings_ms: dict[str, float] = Field(description="Milliseconds by stage; `total` is all [ms]")
 
 
@@ -97,6 +124,12 @@ class NewJob(Body):
     accuracy: float = Field(
         default=0.05, ge=0.001, le=0.5, description="Wanted accuracy as a fraction: 0.05 is 5 %"
     )
+    mesh: str | None = Field(
+        default=None,
+        max_length=20,
+        description="One mesh to solve on, in place of refining to the accuracy: coarse, medium, "
+        "fine, finest, or thin layers along X1, X2 and X3 such as '1,0,1'",
+    )
 
 
 class Job(Answer):
@@ -109,7 +142,13 @@ class Job(Answer):
     design_name: str
     rung: str
     accuracy: float = Field(description="Fraction: 0.05 is 5 %")
-    pressure_to_kPa: float | None = Field(description="End of the path asked for [kPa]")
+    mesh: str | None = Field(description="The one mesh asked for; null: the accuracy decides")
+    pressure_to_kPa: float | None = Field(
+        description="End of the path asked for [kPa]; null where a volume ends it"
+    )
+    volume_to_ml: float | None = Field(
+        description="Cavity volume that ends the path [ml]; null where a pressure ends it"
+    )
     pressure_kPa: float | None = Field(description="How far the solver is [kPa]")
     state: JobState
     outcome: str | None = Field(description="Of a done job, as in a result document")

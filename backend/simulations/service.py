@@ -3,8 +3,8 @@
 import time
 
 from backend.designs.question import read_design, read_scene
-from backend.simulations.instant import answer
-from backend.simulations.schemas import Prediction, PredictRequest, ResultDocument
+from backend.simulations.instant import answer, answer_in_part
+from backend.simulations.schemas import LeftOutLoad, Prediction, PredictRequest, ResultDocument
 
 
 def predict(body: PredictRequest) -> Prediction:
@@ -12,7 +12,10 @@ def predict(body: PredictRequest) -> Prediction:
     start = time.perf_counter()
     design, scene = read_design(body.design), read_scene(body.scene)
     read = time.perf_counter()
-    response = answer(design, scene, rung=body.rung, c=body.c)
+    if body.beyond == "refuse":
+        response, left_out = answer(design, scene, rung=body.rung, c=body.c), ()
+    else:
+        response, left_out = answer_in_part(design, scene, rung=body.rung, c=body.c)
     solved = time.perf_counter()
     result = ResultDocument.model_validate(response.to_document())
     timings = {f"solve.{stage}": seconds * 1e3 for stage, seconds in response.timings.items()}
@@ -20,5 +23,7 @@ def predict(body: PredictRequest) -> Prediction:
     timings["solve"] = (solved - read) * 1e3
     timings["total"] = (time.perf_counter() - start) * 1e3
     return Prediction(
-        result=result, timings_ms={name: round(value, 3) for name, value in timings.items()}
+        result=result,
+        left_out=[LeftOutLoad(field=each.field, reason=each.reason) for each in left_out],
+        timings_ms={name: round(value, 3) for name, value in timings.items()},
     )

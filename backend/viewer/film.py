@@ -17,7 +17,7 @@ from actuators.geometry import build_body
 from actuators.geometry.surface import body_surface, edge_for
 from actuators.mechanics.response import Centreline
 from actuators.mechanics.scene import Scene
-from backend.simulations.instant import answer
+from backend.simulations.instant import answer_in_part
 from backend.viewer.schemas import Colour
 from backend.viewer.skin import Skin, skin, swept
 from storage.response_arrays import unpack
@@ -64,8 +64,9 @@ class Shelf:
 
 
 def instant_film(design: Design, scene: Scene, stamp: Callable[[str], None]) -> Film:
-    """The energy model's answer: the undeformed surface carried along by the rod."""
-    response = answer(design, replace(scene, steps=MOST_FRAMES - 1))
+    """The energy model's answer without loads it cannot carry: the undeformed surface, moved along
+    with the rod."""
+    response, _ = answer_in_part(design, replace(scene, steps=MOST_FRAMES - 1))
     stamp("solve")
     _skins(design)
     stamp("surface")

@@ -39,12 +39,19 @@ def test_a_job_is_queued_solved_and_answered_from_the_store(
     assert result["path"][-1]["pressure_kPa"] == 40.0
 
     fork = client.post(f"/api/versions/{version['id']}/fork", json={"name": "Same"}).json()
+    assert [each["id"] for each in fork["version"]["answered_by"]] == [job["id"]]
     body = {"version_id": fork["version"]["id"], "accuracy": 0.1}
     again = client.post("/api/jobs", json=body).json()
     assert (again["state"], again["from_store"]) == ("done", True)
 
     history = client.get(f"/api/designs/{version['design_id']}").json()["versions"]
     (summary,) = history[0]["results"]
+    assert summary["job_id"] == job["id"]
+    assert client.post("/api/jobs", json={**body, "version_id": version["id"]}).json()["from_store"]
+    again_there = client.get(f"/api/designs/{version['design_id']}").json()["versions"]
+    assert again_there == history, "an answer stands once, however often it was asked for"
+    of_fork = client.get(f"/api/designs/{fork['design_id']}").json()["versions"]
+    assert len(of_fork[0]["results"]) == 1
     assert summary["bending_angle_deg"] == result["path"][-1]["bending_angle_deg"]
     compared = client.get(f"/api/compare?left={version['id']}&right={version['id']}").json()
     assert compared["left"]["fe_result"]["path"] == result["path"]

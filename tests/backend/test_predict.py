@@ -53,3 +53,35 @@ def test_a_slider_movement_is_answered_within_100_ms(client: TestClient) -> None
         assert client.post("/api/predict", json={"design": design, "scene": SCENE}).is_success
         times.append(time.perf_counter() - start)
     assert sorted(times)[len(times) // 2] < 0.1
+
+
+LOADED = {
+    "pressure_kPa": {"to": 5.0, "steps": 4},
+    "tip_force_N": [0, 0, 0.05],
+    "plate": {"gap_mm": 5.0, "normal": [0, 0, 1]},
+}
+
+
+def test_a_load_the_rung_cannot_carry_is_refused_or_named(client: TestClient) -> None:
+    body = {"design": SLAB, "scene": LOADED}
+    refused = client.post("/api/predict", json=body)
+    assert refused.status_code == 422
+    assert refused.json()["detail"]["kind"] == "question"
+    assert "rung fe" in refused.json()["detail"]["mend"]
+    answer = client.post("/api/predict", json={**body, "beyond": "leave out"}).json()
+    assert {each["field"] for each in answer["left_out"]} == {"tip_force", "plate"}
+    assert set(answer["result"]["scene"]) == {"pressure_kPa", "gravity_m_s2"}
+
+
+def test_a_volume_is_answered_at_the_pressure_that_gives_it(client: TestClient) -> None:
+    scene = {"volume_ml": {"to": 20.0, "steps": 4}}
+    body = {"design": SLAB, "scene": scene, "beyond": "leave out"}
+    answer = client.post("/api/predict", json=body).json()
+    assert [each["field"] for each in answer["left_out"]] == ["volume"]
+    assert answer["result"]["path"][-1]["cavity_volume_ml"] == pytest.approx(20.0, rel=1e-9)
+
+
+def test_suction_has_no_instant_answer(client: TestClient) -> None:
+    body = {"design": SLAB, "scene": {"pressure_kPa": {"to": -5.0}}, "beyond": "leave out"}
+    refused = client.post("/api/predict", json=body)
+    assert (refused.status_code, refused.json()["detail"]["kind"]) == (422, "question")

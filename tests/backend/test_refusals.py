@@ -17,7 +17,7 @@ JSON = {"content-type": "application/json"}
 def detail(answer: Any) -> dict[str, str]:
     """The one form of every refusal."""
     found = answer.json()["detail"]
-    assert set(found) == {"message", "field", "value", "mend"}
+    assert set(found) == {"message", "field", "value", "mend", "kind"}
     assert found["message"]
     return found
 

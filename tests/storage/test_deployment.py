@@ -29,8 +29,9 @@ def test_every_part_of_a_question_changes_its_digest() -> None:
     base = ("d" * 64, "s" * 64, "fe", 0.05, "v" * 64)
     others = [("e" * 64, *base[1:]), (base[0], "t" * 64, *base[2:]),
               (*base[:2], "energy", *base[3:]),
-              (*base[:3], 0.02, base[4]), (*base[:4], "w" * 64)]  # fmt: skip
+              (*base[:3], 0.02, base[4]), (*base[:4], "w" * 64), (*base, "fine"),
+              (*base, "1,0,1")]  # fmt: skip
     digests = {question_digest(*each) for each in [base, *others]}
-    assert len(digests) == 6
+    assert len(digests) == 8
     assert question_digest(*base) == question_digest(*base)
     assert len(science_version()) == 64

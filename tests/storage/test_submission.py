@@ -131,3 +131,27 @@ def test_jobs_are_listed_newest_first_and_by_state(store: Store, version: Versio
     assert set(store.get_jobs([jobs[0].id, "unknown"])) == {jobs[0].id}
     assert store.list_jobs()[0].design_name == "Finger"
     assert store.list_jobs()[0].version_number == 1
+
+
+def test_a_mesh_asked_for_is_a_question_of_its_own(store: Store, version: VersionRow) -> None:
+    usual = ask(store, version)
+    fine = store.submit(version.id, SCENE, "fe", 0.05, "ada", mesh="fine")
+    assert fine.id != usual.id
+    taken = store.claim(fine.id, worker="w", science_version=science_version())
+    assert taken is not None
+    assert taken.mesh == "fine"
+    assert store.finish(fine.id, taken.attempt, ANSWER, b"")
+    again = store.submit(version.id, SCENE, "fe", 0.05, "ada", mesh="fine")
+    assert again.from_store
+    assert store.get_result(again.digest).mesh == "fine"
+
+
+@pytest.mark.parametrize(
+    ("rung", "mesh"), [("fe", "very fine"), ("fe", "1,1,9"), ("energy", "fine")]
+)
+def test_a_mesh_nobody_can_make_is_refused(
+    store: Store, version: VersionRow, rung: str, mesh: str
+) -> None:
+    with pytest.raises(QuestionError) as refusal:
+        store.submit(version.id, SCENE, rung, 0.05, "ada", mesh=mesh)
+    assert refusal.value.field == "mesh"

@@ -41,6 +41,7 @@ def slow(
     scene: Scene,
     *,
     accuracy: float,
+    mesh: str | None,
     progress: Callable[[Report], None],
     cancelled: Callable[[], bool],
 ) -> Response:
