@@ -3,7 +3,7 @@
 from actuators.materials.catalogue import CATALOGUE, material
 from actuators.materials.law import HyperelasticLaw
 from actuators.materials.linear import LinearElastic
-from actuators.materials.material import Material
+from actuators.materials.material import INCOMPRESSIBLE, Material
 from actuators.materials.mooney_rivlin import MooneyRivlin
 from actuators.materials.neo_hooke import NeoHooke
 from actuators.materials.ogden import Ogden
@@ -11,6 +11,6 @@ from actuators.materials.stability import StableRange
 from actuators.materials.yeoh import Yeoh
 
 __all__ = [
-    "CATALOGUE", "HyperelasticLaw", "LinearElastic", "Material", "MooneyRivlin", "NeoHooke",
-    "Ogden", "StableRange", "Yeoh", "material",
+    "CATALOGUE", "INCOMPRESSIBLE", "HyperelasticLaw", "LinearElastic", "Material", "MooneyRivlin",
+    "NeoHooke", "Ogden", "StableRange", "Yeoh", "material",
 ]  # fmt: skip

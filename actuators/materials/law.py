@@ -35,6 +35,11 @@ class HyperelasticLaw(ABC):
         """dW/dlambda [Pa] of the incompressible uniaxial test, same shape as ``stretch``."""
 
     @abstractmethod
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        """dW / dlog(l_i) [Pa] of the incompressible form at logarithmic stretches (..., 3):
+        principal Cauchy stresses but for a common pressure."""
+
+    @abstractmethod
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         """d2W / dlog(l_i) dlog(l_j) [Pa] of the incompressible form, (..., 3) -> (..., 3, 3).
 

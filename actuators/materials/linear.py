@@ -51,6 +51,9 @@ class LinearElastic(HyperelasticLaw):
     def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
         return self.as_neo_hooke.nominal_uniaxial_stress(stretch)
 
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        return self.as_neo_hooke.logarithmic_slope(log)
+
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         return self.as_neo_hooke.logarithmic_hessian(stretches)
 

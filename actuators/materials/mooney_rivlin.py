@@ -40,7 +40,7 @@ class MooneyRivlin(HyperelasticLaw):
             x * (self.c10 + self.c20 * x + self.c11 * y) + y * (self.c01 + self.c02 * y)
         )  # fmt: skip
 
-    def _slopes(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def slopes(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """dW/dx and dW/dy."""
         return (
             self.c10 + 2 * self.c20 * x + self.c11 * y,
@@ -49,13 +49,17 @@ class MooneyRivlin(HyperelasticLaw):
 
     def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
         x, y = stretch**2 + 2 / stretch - 3, 2 * stretch + stretch**-2.0 - 3
-        first, second = self._slopes(x, y)
+        first, second = self.slopes(x, y)
         return 2 * (stretch - stretch**-2.0) * (first + second / stretch)
+
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        first, second = self.slopes(*_invariants(np.exp(log)))
+        return 2 * (first[..., None] * np.exp(2 * log) - second[..., None] * np.exp(-2 * log))
 
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         square, inverse = stretches**2, stretches**-2.0
         x, y = _invariants(stretches)
-        first, second = self._slopes(x, y)
+        first, second = self.slopes(x, y)
         a, b = 2 * square, -2 * inverse  # dx/dlog l, dy/dlog l
         diagonal = 4 * (first[..., None] * square + second[..., None] * inverse)
         cross = a[..., :, None] * b[..., None, :]

@@ -32,6 +32,9 @@ class NeoHooke(HyperelasticLaw):
     def nominal_uniaxial_stress(self, stretch: np.ndarray) -> np.ndarray:
         return self.shear_modulus * (stretch - stretch**-2.0)
 
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        return self.shear_modulus * np.exp(2 * log)
+
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         return 2 * self.shear_modulus * (stretches**2)[..., None] * np.eye(3)
 

@@ -58,6 +58,10 @@ class Ogden(HyperelasticLaw):
             total = total + m * (np.expm1(alpha * log) - np.expm1(-alpha / 2 * log))
         return total / stretch
 
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        # m l^alpha less m, which is common to the three
+        return sum((m * np.expm1(a * log) for m, a in self.work_terms), np.zeros_like(log))
+
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         total = np.zeros_like(stretches, dtype=float)
         for m, alpha in self.work_terms:

@@ -36,6 +36,11 @@ class Yeoh(HyperelasticLaw):
         slope = self.c10 + x * (2 * self.c20 + x * 3 * self.c30)
         return 2 * slope * (stretch - stretch**-2.0)
 
+    def logarithmic_slope(self, log: np.ndarray) -> np.ndarray:
+        square = np.exp(2 * log)
+        x = square.sum(axis=-1, keepdims=True) - 3
+        return 2 * (self.c10 + x * (2 * self.c20 + x * 3 * self.c30)) * square
+
     def logarithmic_hessian(self, stretches: np.ndarray) -> np.ndarray:
         square = stretches**2
         x = square.sum(axis=-1)[..., None, None] - 3

@@ -22,7 +22,7 @@ def cell_response(body: Body) -> CellResponse:
     materials = tuple(material(region.material) for region in body.regions)
     corners = np.stack(np.meshgrid(*body.lines, indexing="ij"), axis=-1)
     position = np.rint(body.place(corners) / _RESOLUTION).astype(np.int64)
-    moduli = np.array([[m.shear_modulus, m.bulk_modulus] for m in materials])
+    moduli = np.array([[m.shear_modulus, m.finite_bulk_modulus] for m in materials])
     key = position.tobytes() + body.fill.tobytes() + moduli.tobytes()
     with _lock:
         found = _answers.get(key)

@@ -68,7 +68,7 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     if body.period is None:
         raise ValueError("a cell needs a period")
     shear = np.array([m.shear_modulus for m in materials])
-    bulk = np.array([m.bulk_modulus for m in materials])
+    bulk = np.array([m.finite_bulk_modulus for m in materials])
 
     cell = half_cell(body, _equal_parts(mesh.even))
     fields = _rod_fields(cell.coordinates())

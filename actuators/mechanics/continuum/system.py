@@ -24,7 +24,7 @@ from actuators.mechanics.continuum.kernel.pattern import (
 )
 from actuators.mechanics.continuum.outer_loads import FacePlaces, OuterLoads, face_places
 from actuators.mechanics.direct_solver import SymmetricSolver
-from actuators.meshing import CENTRE, FACE_NODES, HexMesh
+from actuators.meshing import CENTRE, FACE_NODES, Faces, HexMesh
 
 # numba's simplest threading layer must not be entered by two threads at once
 _PARALLEL = threading.Lock()
@@ -125,15 +125,19 @@ class ContinuumSystem:
         self.codes = np.array([law.code for law in laws], dtype=np.int64)
         self.counts = np.array([len(law.coefficients) for law in laws], dtype=np.int64)
         self.kappa = np.array([m.bulk_modulus for m in self.materials])
+        # an element's constant pressure can be condensed only where kappa is finite: the equations
+        # keep the true one, the tangent does not, and each correction leaves about mu/kappa of the
+        # tangent's of what was missing
+        tangent = np.array([m.finite_bulk_modulus for m in self.materials])
+        self._compliance = 1 / np.stack([self.kappa, tangent], axis=1)
         density = np.array([m.density for m in self.materials])
         self.weight = density[:, None] * np.array(gravity or (0.0, 0.0, 0.0))
 
     def _set_faces(self) -> None:
-        mesh, faces = self.mesh, self.mesh.cavity_faces
-        order = np.argsort(faces.element, kind="stable")
-        self._face_local = faces.local[order].astype(np.int64)
-        per_element = np.bincount(faces.element, minlength=len(mesh.elements))
-        self._face_start = np.concatenate([[0], np.cumsum(per_element)]).astype(np.int64)
+        mesh, count = self.mesh, len(self.mesh.elements)
+        self._face_start, self._face_local, _ = _by_element(mesh.cavity_faces, count)
+        self._sheet_start, self._sheet_local, order = _by_element(mesh.membrane_faces, count)
+        self._sheet_stiffness = np.ascontiguousarray(mesh.membrane_stiffness[order], dtype=float)
         colour = (mesh.box % 2) @ np.array([1, 2, 4])
         self._colour_order = np.argsort(colour, kind="stable").astype(np.int64)
         per_colour = np.bincount(colour, minlength=8)
@@ -161,8 +165,9 @@ class ContinuumSystem:
         with _PARALLEL:
             assemble(
                 mesh.nodes, state.displacement, state.pressure, mesh.elements, mesh.region,
-                self.codes, self.counts, self.coefficients, self.kappa, loads * self.weight,
-                pressure, self._face_start, self._face_local, FACE_NODES, self._colour_start,
+                self.codes, self.counts, self.coefficients, self._compliance, loads * self.weight,
+                pressure, self._face_start, self._face_local, FACE_NODES, self._sheet_start,
+                self._sheet_local, self._sheet_stiffness, self._colour_start,
                 self._colour_order, self._scatter, tangent, residual, inner, self.values,
                 self._recover, self._inverse, self._least,
             )  # fmt: skip
@@ -219,6 +224,14 @@ class ContinuumSystem:
         kept = self.dof >= 0
         reduced[self.dof[kept]] = gradient[kept]
         return float(total), reduced
+
+
+def _by_element(faces: Faces, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where each element's faces begin (count + 1,), their sides, and the order they were taken
+    in."""
+    order = np.argsort(faces.element, kind="stable")
+    start = np.concatenate([[0], np.cumsum(np.bincount(faces.element, minlength=count))])
+    return start.astype(np.int64), faces.local[order].astype(np.int64), order
 
 
 def clamped(mesh: HexMesh) -> np.ndarray:

@@ -17,6 +17,7 @@ from actuators.mechanics.continuum.kernel.condense import (
     condense_element,
 )
 from actuators.mechanics.continuum.kernel.element import integrate_element
+from actuators.mechanics.continuum.kernel.membrane import add_membrane
 
 
 @njit(cache=True)
@@ -61,12 +62,15 @@ def assemble(
     codes: Any,
     counts: Any,
     coefficients: np.ndarray,
-    kappa: Any,
+    compliance: np.ndarray,
     body_force: np.ndarray,
     cavity_pressure: float,
     face_start: np.ndarray,
     face_local: np.ndarray,
     face_nodes: np.ndarray,
+    sheet_start: np.ndarray,
+    sheet_local: np.ndarray,
+    sheet_stiffness: np.ndarray,
     colour_start: np.ndarray,
     colour_order: np.ndarray,
     scatter: np.ndarray,
@@ -80,6 +84,8 @@ def assemble(
 ) -> None:
     """Fill residuals (n, 3), (m, 4), matrix ``values`` and the data of the condensation.
 
+    ``compliance`` (regions, 2): 1/kappa in the equations, and in the tangent. ``face_*``: sides of
+    each element on the cavity, ``sheet_*``: on embedded sheets.
     ``scatter`` (m, 3081): place of each entry of an element's upper triangle in ``values``, or -1.
     ``least`` (m,): the least J of each element; not positive where the state is inadmissible.
     """
@@ -99,8 +105,8 @@ def assemble(
             b, mass = np.empty((27, 3, 4)), np.empty((4, 4))
             s = region[e]
             least[e] = integrate_element(
-                x, u, element_pressure[e], codes[s], coefficients[s], counts[s], kappa[s],
-                body_force[s], want_tangent, r, rq, k, b, mass,
+                x, u, element_pressure[e], codes[s], coefficients[s], counts[s],
+                compliance[s], body_force[s], want_tangent, r, rq, k, b, mass,
             )  # fmt: skip
             if least[e] <= 0.0:
                 continue
@@ -108,6 +114,10 @@ def assemble(
                 x, u, cavity_pressure, face_local[face_start[e] : face_start[e + 1]], face_nodes,
                 want_tangent, r, k,
             )  # fmt: skip
+            for sheet in range(sheet_start[e], sheet_start[e + 1]):
+                add_membrane(
+                    x, u, sheet_stiffness[sheet], face_nodes[sheet_local[sheet]], want_tangent, r, k
+                )
             for n in range(27):
                 for i in range(3):
                     residual[elements[e, n], i] += r[n, i]

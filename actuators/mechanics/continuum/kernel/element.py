@@ -81,7 +81,7 @@ def integrate_element(
     code: int,
     coefficients: np.ndarray,
     count: int,
-    kappa: float,
+    compliance: np.ndarray,
     body_force: np.ndarray,
     want_tangent: bool,
     r: np.ndarray,
@@ -92,7 +92,8 @@ def integrate_element(
 ) -> float:
     """Residual and tangent of one element.
 
-    ``x``, ``u`` (27, 3); ``q`` (4,); ``body_force`` (3,) [N/m3]. Fills ``r`` (27, 3), ``rq`` (4,)
+    ``x``, ``u`` (27, 3); ``q`` (4,); ``compliance`` (2,): 1/kappa of the equations, and the one of
+    the tangent [1/Pa]; ``body_force`` (3,) [N/m3]. Fills ``r`` (27, 3), ``rq`` (4,)
     and, when ``want_tangent``, ``k`` (3, 3, 27, 27; i <= m only), ``b`` = dr/dq (27, 3, 4) and
     ``mass`` = -drq/dq (4, 4). Returns the least J over the Gauss points.
     """
@@ -131,7 +132,7 @@ def integrate_element(
                 inner = p[i, 0] * slopes[0, n] + p[i, 1] * slopes[1, n] + p[i, 2] * slopes[2, n]
                 r[n, i] += weight * (inner - CUBE_VALUES[g, n] * body_force[i])
         for n in range(4):
-            rq[n] += weight * PRESSURE_VALUES[g, n] * (det - 1.0 - pressure / kappa)
+            rq[n] += weight * PRESSURE_VALUES[g, n] * (det - 1.0 - pressure * compliance[0])
         if want_tangent:
             _add_stiffness(a, slopes, weight, k, rows)
             for n in range(27):
@@ -141,5 +142,7 @@ def integrate_element(
                         b[n, i, m] += weight * det * s * PRESSURE_VALUES[g, m]
             for n in range(4):
                 for m in range(4):
-                    mass[n, m] += weight * PRESSURE_VALUES[g, n] * PRESSURE_VALUES[g, m] / kappa
+                    mass[n, m] += (
+                        weight * PRESSURE_VALUES[g, n] * PRESSURE_VALUES[g, m] * compliance[1]
+                    )
     return least
