@@ -4,13 +4,21 @@ from collections.abc import Mapping
 from typing import Any
 
 from actuators.design.base import Design
+from actuators.design.blocks import BlockBar
 from actuators.design.oblique import ObliqueDesign
 from actuators.design.parameter import Parameter
 from actuators.design.presets import PRESETS, Preset, preset
+from actuators.design.printed import PrintedDesign
 from actuators.design.slab import SlabDesign
 from actuators.errors import DesignError
 
-FAMILIES: Mapping[str, type[Design]] = {"slab": SlabDesign, "oblique": ObliqueDesign}
+FAMILIES: Mapping[str, type[Design]] = {
+    "slab": SlabDesign,
+    "oblique": ObliqueDesign,
+    "printed": PrintedDesign,
+}
+BLOCK_FAMILIES = (ObliqueDesign, PrintedDesign)
+"""Families made of chamber blocks: each has a ``bar``."""
 
 
 def parse_design(document: Mapping[str, Any]) -> Design:
@@ -25,6 +33,6 @@ def parse_design(document: Mapping[str, Any]) -> Design:
 
 
 __all__ = [
-    "FAMILIES", "PRESETS", "Design", "DesignError", "ObliqueDesign", "Parameter", "Preset",
-    "SlabDesign", "parse_design", "preset",
+    "BLOCK_FAMILIES", "FAMILIES", "PRESETS", "BlockBar", "Design", "DesignError", "ObliqueDesign",
+    "Parameter", "Preset", "PrintedDesign", "SlabDesign", "parse_design", "preset",
 ]  # fmt: skip

@@ -21,6 +21,8 @@ class Design(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
     title: ClassVar[str] = ""
+    layer_materials: ClassVar[tuple[str, str]] = ("bottom_material", "top_material")
+    """Parameters that name the material of the bottom layer and of what stands on it."""
 
     family: str
     length: float

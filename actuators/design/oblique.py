@@ -11,6 +11,7 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.design.blocks import BlockBar
 from actuators.design.parameter import parameter
 from actuators.errors import DesignError
 
@@ -108,38 +109,51 @@ class ObliqueDesign(Design):
     )  # fmt: skip
 
     @property
+    def bar(self) -> BlockBar:
+        """The chamber blocks."""
+        return BlockBar(
+            theta=self.theta, chamber_count=self.chamber_count, length=self.length,
+            width=self.width, chamber_width=self.chamber_width, half_gap=self.half_gap,
+            wall_thickness=self.wall_thickness, half_chamber=self.half_chamber,
+            channel_width=self.channel_width, channel_height=self.channel_height,
+            bottom_thickness=self.bottom_thickness, foot_height=self.foot_height,
+            wall_height=self.wall_height, roof_thickness=self.roof_thickness,
+            bottom_material=self.bottom_material, top_material=self.top_material,
+        )  # fmt: skip
+
+    @property
     def pitch(self) -> float:
         """2 (t1 + t2 + t3), along the axis [m]."""
-        return 2 * (self.half_gap + self.wall_thickness + self.half_chamber)
+        return self.bar.pitch
 
     @property
     def height(self) -> float:
         """Total height h = h1 + h2 + h3 + h4 [m]."""
-        return self.bottom_thickness + self.chamber_height + self.roof_thickness
+        return self.bar.height
 
     @property
     def chamber_height(self) -> float:
         """h2 + h3 [m]."""
-        return self.foot_height + self.wall_height
+        return self.bar.chamber_height
 
     @property
     def cot_theta(self) -> float:
         """Skew of the chambers: dX1/dX2 along a chamber wall; exactly 0 at 90 degrees."""
-        return 0.0 if abs(self.theta - math.pi / 2) < 1e-12 else 1 / math.tan(self.theta)
+        return self.bar.cot_theta
 
     @property
     def side_wall(self) -> float:
         """Wall on either side of the chambers [m] (2 mm in Table 1)."""
-        return (self.width - self.chamber_width) / 2
+        return self.bar.side_wall
 
     @property
     def end_length(self) -> float:
         """Solid end piece at either end, measured on the middle plane [m]."""
-        return (self.length - self.chamber_count * self.pitch) / 2
+        return self.bar.end_length
 
     def chamber_centres(self) -> np.ndarray:
         """X1 of each chamber's middle on the plane X2 = 0, shape (n,) [m]."""
-        return self.end_length + self.pitch * (np.arange(self.chamber_count) + 0.5)
+        return self.bar.chamber_centres()
 
     def check(self) -> None:
         if self.side_wall < 0.3e-3:

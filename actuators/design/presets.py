@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from actuators.design.base import Design
 from actuators.design.oblique import ObliqueDesign
+from actuators.design.printed import PrintedDesign
 from actuators.design.slab import SlabDesign
 from actuators.errors import DesignError
 
@@ -91,7 +92,22 @@ def _obliques() -> list[Preset]:
     return presets
 
 
-PRESETS: Mapping[str, Preset] = {p.name: p for p in [*_slabs(), *_obliques()]}
+def _printed() -> list[Preset]:
+    return [
+        Preset(
+            name="printed-14",
+            title="Printed pneu-net, 14 chambers",
+            description="Printed in one piece from NinjaFlex, with a layer in the bottom that "
+            "cannot stretch. The thesis inflated it to 250 kPa; length, width, number of chambers "
+            "and layer are its own, the other dimensions are assumed.",
+            source="Printed pneu-net thesis (P)",
+            design=PrintedDesign(),
+            pressure_to=250e3,
+        )
+    ]
+
+
+PRESETS: Mapping[str, Preset] = {p.name: p for p in [*_slabs(), *_obliques(), *_printed()]}
 
 
 def preset(name: str) -> Preset:

@@ -13,10 +13,16 @@ from actuators.fabrication.slab_mould import slab_moulds
 
 def _moulds(design: Design) -> dict[str, bytes]:
     if not isinstance(design, SlabDesign):
+        printed = len(set(design.layer_materials)) == 1
+        reason = (
+            "it is printed in one piece, not cast"
+            if printed
+            else "its chambers stand apart and need a moulded shape that flat sheets cannot give; "
+            "only slab moulds are cut from sheet"
+        )
         raise QuestionError(
-            f"mould-svg is not available for the family {design.family}: its chambers stand apart "
-            "and need a moulded shape that flat sheets cannot give; only slab moulds are cut from "
-            "sheet. Export actuator-stl instead.",
+            f"mould-svg is not available for the family {design.family}: {reason}. Export "
+            "actuator-stl instead.",
             field="what", value="mould-svg", mend="Export actuator-stl instead.",
         )  # fmt: skip
     return mould_svg(design)

@@ -1,10 +1,8 @@
 """Designs to bodies: block-structured geometry with named regions and the cavity."""
 
-from actuators.design.base import Design
-from actuators.design.oblique import ObliqueDesign
-from actuators.design.slab import SlabDesign
+from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.geometry.block_body import block_body, block_cell
 from actuators.geometry.body import CAVITY, OUTSIDE, Body, Membrane, Region
-from actuators.geometry.oblique_body import oblique_body, oblique_cell
 from actuators.geometry.slab_body import slab_body, slab_cell
 
 
@@ -12,8 +10,8 @@ def build_body(design: Design) -> Body:
     """The undeformed body of any family."""
     if isinstance(design, SlabDesign):
         return slab_body(design)
-    if isinstance(design, ObliqueDesign):
-        return oblique_body(design)
+    if isinstance(design, BLOCK_FAMILIES):
+        return block_body(design.bar)
     raise TypeError(f"no geometry for {type(design).__name__}")
 
 
@@ -21,8 +19,8 @@ def build_cell(design: Design, index: int) -> Body:
     """One periodic chamber: chamber ``index`` counted from the clamp."""
     if isinstance(design, SlabDesign):
         return slab_cell(design, index)
-    if isinstance(design, ObliqueDesign):
-        return oblique_cell(design)
+    if isinstance(design, BLOCK_FAMILIES):
+        return block_cell(design.bar)
     raise TypeError(f"no periodic cell for {type(design).__name__}")
 
 

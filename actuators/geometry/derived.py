@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass
 
-from actuators.design.base import Design
-from actuators.design.oblique import ObliqueDesign
-from actuators.design.slab import SlabDesign
+from actuators.design import BLOCK_FAMILIES, BlockBar, Design, SlabDesign
+from actuators.geometry.block_body import sheet_stiffness
 from actuators.geometry.volumes import exact_volumes, masses
 
 
@@ -21,18 +20,22 @@ def derived(design: Design) -> list[Derived]:
     """Lengths, volumes and masses. Raises ``DesignError`` for a material not in the catalogue."""
     if isinstance(design, SlabDesign):
         own = _slab(design)
-    elif isinstance(design, ObliqueDesign):
-        own = _oblique(design)
+    elif isinstance(design, BLOCK_FAMILIES):
+        own = _blocks(design.bar)
     else:
         raise TypeError(f"nothing known about {type(design).__name__}")
     volumes = exact_volumes(design)
     bottom, top = masses(design)
+    cast = [
+        _value("Mass of bottom layer", bottom * 1e3, "g"),
+        _value("Mass of top layer", top * 1e3, "g"),
+    ]
+    printed = [_value("Mass", (bottom + top) * 1e3, "g")]
     return [
         *own,
         _value("Cavity volume", volumes.cavity * 1e6, "ml"),
         _value("Rubber volume", volumes.rubber * 1e6, "ml"),
-        _value("Mass of bottom layer", bottom * 1e3, "g"),
-        _value("Mass of top layer", top * 1e3, "g"),
+        *(printed if len(set(design.layer_materials)) == 1 else cast),
     ]
 
 
@@ -45,14 +48,17 @@ def _slab(design: SlabDesign) -> list[Derived]:
     ]
 
 
-def _oblique(design: ObliqueDesign) -> list[Derived]:
-    return [
-        _value("Total thickness", design.height * 1e3, "mm"),
-        _value("Chamber pitch", design.pitch * 1e3, "mm"),
-        _value("Chamber height", design.chamber_height * 1e3, "mm"),
-        _value("Side wall", design.side_wall * 1e3, "mm"),
-        _value("End piece", design.end_length * 1e3, "mm"),
+def _blocks(bar: BlockBar) -> list[Derived]:
+    values = [
+        _value("Total thickness", bar.height * 1e3, "mm"),
+        _value("Chamber pitch", bar.pitch * 1e3, "mm"),
+        _value("Chamber height", bar.chamber_height * 1e3, "mm"),
+        _value("Side wall", bar.side_wall * 1e3, "mm"),
+        _value("End piece", bar.end_length * 1e3, "mm"),
     ]
+    if bar.sheet is not None:
+        values.append(_value("Stiffness of the layer", sheet_stiffness(bar) / 1e3, "N/mm"))
+    return values
 
 
 def _value(label: str, value: float, unit: str) -> Derived:

@@ -4,9 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from actuators.design.base import Design
-from actuators.design.oblique import ObliqueDesign
-from actuators.design.slab import SlabDesign
+from actuators.design import Design, ObliqueDesign, PrintedDesign, SlabDesign
+from actuators.design.blocks import BlockBar
 
 View = Literal["section", "planform"]
 Point = tuple[float, float]
@@ -36,6 +35,8 @@ def dimensions(design: Design) -> list[Dimension]:
         return _slab(design)
     if isinstance(design, ObliqueDesign):
         return _oblique(design)
+    if isinstance(design, PrintedDesign):
+        return _printed(design)
     raise TypeError(f"no drawing for {type(design).__name__}")
 
 
@@ -122,21 +123,18 @@ def _side_radius(design: SlabDesign) -> Dimension:
 
 
 def _oblique(design: ObliqueDesign) -> list[Dimension]:
-    n, length, width = design.chamber_count, design.length * 1e3, design.width * 1e3
-    t1, t2, t3 = design.half_gap * 1e3, design.wall_thickness * 1e3, design.half_chamber * 1e3
-    height, roof = design.height * 1e3, (design.height - design.roof_thickness) * 1e3
-    centres = design.chamber_centres() * 1e3
+    bar = design.bar
+    n, length, width = bar.chamber_count, bar.length * 1e3, bar.width * 1e3
+    t1, t2, t3 = bar.half_gap * 1e3, bar.wall_thickness * 1e3, bar.half_chamber * 1e3
+    height, roof = bar.height * 1e3, (bar.height - bar.roof_thickness) * 1e3
+    centres = bar.chamber_centres() * 1e3
     middle, last = float(centres[n // 2]), float(centres[-1])
     gap = middle - t1 - t2 - t3
-    foot = (design.bottom_thickness + design.foot_height) * 1e3
-    first_block, last_block = float(centres[0]) - t2 - t3, last + t2 + t3
-    half, side = design.chamber_width * 500, width / 2
-    skew = design.cot_theta
+    foot = (bar.bottom_thickness + bar.foot_height) * 1e3
+    half, skew = bar.chamber_width * 500, bar.cot_theta
     reach = 0.75 * width
-    lines = [
-        _along("length", "planform", 0.0, length, -side - NEAR, (-side, -side)),
-        _across("width", "planform", -side, side, -NEAR, (0.0, 0.0)),
-        _along("chamber_count", "section", first_block, last_block, height + FAR, (height, height)),
+    return [
+        *_bar(bar),
         _across(
             "chamber_width", "planform", -half, half, length + NEAR,
             (last - skew * half, last + skew * half),
@@ -149,15 +147,58 @@ def _oblique(design: ObliqueDesign) -> list[Dimension]:
             (middle + reach * math.cos(design.theta), reach * math.sin(design.theta)),
             kind="angle", centre=(middle, 0.0),
         ),
-        *_layers(
-            {"bottom_thickness": design.bottom_thickness, "foot_height": design.foot_height,
-             "wall_height": design.wall_height, "roof_thickness": design.roof_thickness}
-        ),
         _across("inlet_height", "section", 0.0, design.inlet_height * 1e3, -FAR, (0.0, 0.0)),
     ]  # fmt: skip
-    if design.channel_width > 0 and n > 1:
-        channel, bottom = design.channel_width * 500, design.bottom_thickness * 1e3
-        top = bottom + design.channel_height * 1e3
+
+
+def _printed(design: PrintedDesign) -> list[Dimension]:
+    bar = design.bar
+    length, half, side = bar.length * 1e3, bar.chamber_width * 500, bar.width * 500
+    t1, t2, t3 = bar.half_gap * 1e3, bar.wall_thickness * 1e3, bar.half_chamber * 1e3
+    height, roof = bar.height * 1e3, (bar.height - bar.roof_thickness) * 1e3
+    centres = bar.chamber_centres() * 1e3
+    middle = float(centres[bar.chamber_count // 2])
+    wall, last = middle - t2 - t3, float(centres[-1])
+    lines = [
+        *_bar(bar),
+        _across("side_wall", "planform", half, side, length + NEAR, (last, last)),
+        _along("gap", "section", wall - 2 * t1, wall, height + NEAR, (height, height)),
+        _along("wall_thickness", "section", wall, wall + t2, height + NEAR, (height, roof)),
+        _along("chamber_length", "section", middle - t3, middle + t3, height + NEAR, (roof, roof)),
+    ]
+    if bar.sheet is not None:
+        level, thick = bar.sheet.height * 1e3, bar.sheet.thickness * 1e3
+        ends = (length, length)
+        lines += [
+            _across("layer_height", "section", 0.0, level, length + NEAR, ends),
+            _across(
+                "layer_thickness", "section", level - thick / 2, level + thick / 2, length + FAR,
+                ends,
+            ),
+        ]  # fmt: skip
+    return lines
+
+
+def _bar(bar: BlockBar) -> list[Dimension]:
+    """What all families of chamber blocks show under the same names."""
+    n, length, width = bar.chamber_count, bar.length * 1e3, bar.width * 1e3
+    height, side = bar.height * 1e3, bar.width * 500
+    block = (bar.wall_thickness + bar.half_chamber) * 1e3
+    centres = bar.chamber_centres() * 1e3
+    first, last = float(centres[0]) - block, float(centres[-1]) + block
+    gap = float(centres[n // 2]) - block - bar.half_gap * 1e3
+    lines = [
+        _along("length", "planform", 0.0, length, -side - NEAR, (-side, -side)),
+        _across("width", "planform", -width / 2, width / 2, -NEAR, (0.0, 0.0)),
+        _along("chamber_count", "section", first, last, height + FAR, (height, height)),
+        *_layers(
+            {"bottom_thickness": bar.bottom_thickness, "foot_height": bar.foot_height,
+             "wall_height": bar.wall_height, "roof_thickness": bar.roof_thickness}
+        ),
+    ]  # fmt: skip
+    if bar.channel_width > 0 and n > 1:
+        channel, bottom = bar.channel_width * 500, bar.bottom_thickness * 1e3
+        top = bottom + bar.channel_height * 1e3
         lines += [
             _across("channel_width", "planform", -channel, channel, gap, (gap, gap)),
             _across("channel_height", "section", bottom, top, gap, (gap, gap)),

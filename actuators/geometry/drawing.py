@@ -48,9 +48,7 @@ def drawing(design: Design) -> dict[str, Any]:
         "dimensions": [_dimension(d, known[d.parameter], design) for d in lines],
         "regions": [
             {"name": region.name, "parameter": parameter, "material": region.material}
-            for region, parameter in zip(
-                body.regions, ("bottom_material", "top_material"), strict=True
-            )
+            for region, parameter in zip(body.regions, design.layer_materials, strict=True)
         ],
     }
 

@@ -4,9 +4,8 @@ and moulds against, and to weigh out the silicone."""
 import math
 from dataclasses import dataclass
 
-from actuators.design.base import Design
-from actuators.design.oblique import ObliqueDesign
-from actuators.design.slab import SlabDesign
+from actuators.design import BLOCK_FAMILIES, BlockBar, Design, SlabDesign
+from actuators.materials import material
 
 
 @dataclass(frozen=True)
@@ -27,20 +26,18 @@ def exact_volumes(design: Design) -> Volumes:
     """Volumes of the design itself, arcs and shear included; no mesh involved."""
     if isinstance(design, SlabDesign):
         return _slab(design)
-    if isinstance(design, ObliqueDesign):
-        return _oblique(design)
+    if isinstance(design, BLOCK_FAMILIES):
+        return _blocks(design.bar)
     raise TypeError(f"no volumes for {type(design).__name__}")
 
 
-def masses(design: SlabDesign | ObliqueDesign) -> tuple[float, float]:
+def masses(design: Design) -> tuple[float, float]:
     """Mass of the bottom layer and of the rubber above it [kg]."""
-    from actuators.materials import material
-
     volumes = exact_volumes(design)
-    return (
-        volumes.bottom * material(design.bottom_material, field="bottom_material").density,
-        volumes.top * material(design.top_material, field="top_material").density,
+    lower, upper = (
+        material(getattr(design, name), field=name).density for name in design.layer_materials
     )
+    return volumes.bottom * lower, volumes.top * upper
 
 
 def planform_area(design: SlabDesign, start: float, end: float, *, inset: float = 0.0) -> float:
@@ -90,18 +87,18 @@ def _arc(s: float, radius: float) -> float:
     return (s * math.sqrt(radius**2 - s**2) + radius**2 * math.asin(s / radius)) / 2
 
 
-def _oblique(design: ObliqueDesign) -> Volumes:
+def _blocks(bar: BlockBar) -> Volumes:
     # shear along the axis keeps every area, so the angle does not enter
-    n, width = design.chamber_count, design.width
-    area = design.length * width
-    open_gaps = n * 2 * design.half_gap * width * (design.wall_height + design.roof_thickness)
-    chambers = n * 2 * design.half_chamber * design.chamber_width * design.chamber_height
-    links = (n - 1) * 2 * (design.wall_thickness + design.half_gap)
+    n, width = bar.chamber_count, bar.width
+    area = bar.length * width
+    open_gaps = n * 2 * bar.half_gap * width * (bar.wall_height + bar.roof_thickness)
+    chambers = n * 2 * bar.half_chamber * bar.chamber_width * bar.chamber_height
+    links = (n - 1) * 2 * (bar.wall_thickness + bar.half_gap)
     channel = 0.0
-    if design.channel_width > 0:
-        channel = links * design.channel_width * design.channel_height
+    if bar.channel_width > 0:
+        channel = links * bar.channel_width * bar.channel_height
     cavity = chambers + channel
-    above = area * (design.height - design.bottom_thickness)
+    above = area * (bar.height - bar.bottom_thickness)
     return Volumes(
-        bottom=area * design.bottom_thickness, top=above - open_gaps - cavity, cavity=cavity
+        bottom=area * bar.bottom_thickness, top=above - open_gaps - cavity, cavity=cavity
     )

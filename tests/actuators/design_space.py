@@ -1,8 +1,15 @@
-"""Hypothesis strategies for designs that can be built, across both families."""
+"""Hypothesis strategies for designs that can be built, across all families."""
 
 from hypothesis import strategies as st
 
-from actuators.design import Design, DesignError, ObliqueDesign, SlabDesign, parse_design
+from actuators.design import (
+    Design,
+    DesignError,
+    ObliqueDesign,
+    PrintedDesign,
+    SlabDesign,
+    parse_design,
+)
 
 
 def _sampled(lower: float, upper: float) -> st.SearchStrategy[float]:
@@ -50,6 +57,27 @@ _OBLIQUE = st.fixed_dictionaries(
     }
 )
 
+_PRINTED = st.fixed_dictionaries(
+    {
+        "family": st.just("printed"),
+        "chamber_count": st.integers(1, 9),
+        "length_mm": _sampled(30, 150),
+        "width_mm": _sampled(5, 30),
+        "gap_mm": _sampled(0.3, 3),
+        "wall_thickness_mm": _sampled(0.5, 3),
+        "chamber_length_mm": _sampled(1, 6),
+        "side_wall_mm": _sampled(0.5, 3),
+        "channel_width_mm": st.one_of(st.just(0.0), _sampled(0.4, 3)),
+        "channel_height_mm": _sampled(0.3, 2),
+        "bottom_thickness_mm": _sampled(0.5, 6),
+        "foot_height_mm": _sampled(0.7, 4),
+        "wall_height_mm": _sampled(1, 12),
+        "roof_thickness_mm": _sampled(0.5, 4),
+        "layer": st.sampled_from(["inextensible", "none"]),
+        "layer_height_mm": st.one_of(st.just(0.0), _sampled(0.1, 2)),
+    }
+)
+
 
 def _buildable(documents: st.SearchStrategy[dict[str, object]]) -> st.SearchStrategy[Design]:
     def attempt(document: dict[str, object]) -> Design | None:
@@ -71,6 +99,11 @@ def obliques() -> st.SearchStrategy[ObliqueDesign]:
     return _buildable(_OBLIQUE)  # pyright: ignore[reportReturnType]
 
 
+def printed() -> st.SearchStrategy[PrintedDesign]:
+    """Printed pneu-nets with and without their layer."""
+    return _buildable(_PRINTED)  # pyright: ignore[reportReturnType]
+
+
 def designs() -> st.SearchStrategy[Design]:
-    """Either family."""
-    return st.one_of(slabs(), obliques())
+    """Any family."""
+    return st.one_of(slabs(), obliques(), printed())

@@ -23,7 +23,8 @@ def cell_response(body: Body) -> CellResponse:
     corners = np.stack(np.meshgrid(*body.lines, indexing="ij"), axis=-1)
     position = np.rint(body.place(corners) / _RESOLUTION).astype(np.int64)
     moduli = np.array([[m.shear_modulus, m.finite_bulk_modulus] for m in materials])
-    key = position.tobytes() + body.fill.tobytes() + moduli.tobytes()
+    sheets = np.array([[s.plane, s.stiffness] for s in body.membranes])
+    key = position.tobytes() + body.fill.tobytes() + moduli.tobytes() + sheets.tobytes()
     with _lock:
         found = _answers.get(key)
         if found is not None:

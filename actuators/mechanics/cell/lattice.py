@@ -20,8 +20,10 @@ class HalfCell:
     ``nodes``: (n, 27) int, wrapped node of each element's local node i + 3 j + 9 k; ``twin``: (m,)
     the node that each node becomes by the half turn, itself off the face X2 = 0; ``corner``: (n, 3)
     position of local node 0; ``jacobian``: (n, 3, 3) columns half edges [m]; ``fill``: (n,) region
-    or CAVITY or OUTSIDE; ``shape``: nodes along (x, y, z); ``turn``: element borders from the
-    lattice's beginning to the chamber's middle, doubled.
+    or CAVITY or OUTSIDE; ``sheets``: (2, n) stiffness of the embedded sheets on the lower and the
+    upper side of each element, every sheet on one side only [N/m]; ``shape``: nodes along
+    (x, y, z); ``turn``: element borders from the lattice's beginning to the chamber's middle,
+    doubled.
     """
 
     nodes: np.ndarray
@@ -29,6 +31,7 @@ class HalfCell:
     corner: np.ndarray
     jacobian: np.ndarray
     fill: np.ndarray
+    sheets: np.ndarray
     shape: tuple[int, int, int]
     turn: int
 
@@ -81,9 +84,24 @@ def half_cell(body: Body, parts: Sequence[Sequence[Sequence[float]]]) -> HalfCel
         origin.reshape(-1, 3),
         jacobian.reshape(-1, 3, 3),
         fill.ravel(),
+        _sheets(body, lines[2], fill),
         shape,
         turn,
     )
+
+
+def _sheets(body: Body, heights: np.ndarray, fill: np.ndarray) -> np.ndarray:
+    """See :class:`HalfCell`: on top of the rubber below the sheet, else under that above it."""
+    found = np.zeros((2, *fill.shape))
+    for sheet in body.membranes:
+        plane = int(np.argmin(np.abs(heights - sheet.plane)))
+        if plane > 0:
+            found[1, :, :, plane - 1] = np.where(fill[:, :, plane - 1] >= 0, sheet.stiffness, 0.0)
+        if plane < fill.shape[2]:
+            bare = (found[1, :, :, plane - 1] == 0.0) if plane > 0 else True
+            rubber = fill[:, :, plane] >= 0
+            found[0, :, :, plane] = np.where(rubber & bare, sheet.stiffness, 0.0)
+    return found.reshape(2, -1)
 
 
 def intervals(body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

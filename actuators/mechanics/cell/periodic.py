@@ -28,6 +28,7 @@ from actuators.mechanics.cell.element import (
 )
 from actuators.mechanics.cell.lattice import HalfCell, half_cell, intervals
 from actuators.mechanics.cell.numbering import numbering
+from actuators.mechanics.cell.sheet import BOTTOM_FACE, TOP_FACE, add_sheets
 
 EVEN = (0, 1, 2)
 """Rod strains that the half turn leaves unchanged; bending about X3 stands alone."""
@@ -120,6 +121,10 @@ def _element_energies(
     they raise (m, 81, 4)."""
     region = cell.fill[cell.solid]
     elements = stiffness(cell.jacobian[cell.solid], shear[region], bulk[region])
+    if cell.sheets.any():
+        position = cell.coordinates()[cell.solid]
+        for side, nodes in zip(cell.sheets, (BOTTOM_FACE, TOP_FACE), strict=True):
+            add_sheets(elements, position, nodes, side[cell.solid])
     solid = fields[cell.solid]
     coupling = elements @ solid
     energy = np.tensordot(solid, coupling, axes=([0, 1], [0, 1]))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.design import Design, ObliqueDesign, SlabDesign
+from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
 from actuators.geometry import Body, build_cell
 from actuators.materials import material
 from actuators.mechanics.cell.cache import cell_response
@@ -40,7 +40,7 @@ class ChamberRow:
 def chamber_row(design: Design) -> ChamberRow:
     """Every chamber of the design; chambers of one width share their cell."""
     start, pitch = pitch_starts(design)
-    if isinstance(design, ObliqueDesign):
+    if isinstance(design, BLOCK_FAMILIES):
         cells, weights = [build_cell(design, 0)], np.ones((design.chamber_count, 1))
     elif isinstance(design, SlabDesign):
         cells, weights = _slab_cells(design)
@@ -69,13 +69,13 @@ def chamber_row(design: Design) -> ChamberRow:
 
 def pitch_starts(design: Design) -> tuple[np.ndarray, float]:
     """X1 where each chamber's pitch begins (n,) [m], possibly before the clamp, and the pitch."""
-    if isinstance(design, ObliqueDesign):
-        first = design.end_length
+    if isinstance(design, BLOCK_FAMILIES):
+        first, pitch = design.bar.end_length, design.bar.pitch
     elif isinstance(design, SlabDesign):
-        first = design.root_wall - design.wall_length / 2
+        first, pitch = design.root_wall - design.wall_length / 2, design.pitch
     else:
         raise TypeError(f"no chambers for {type(design).__name__}")
-    return first + design.pitch * np.arange(design.chamber_count), design.pitch
+    return first + pitch * np.arange(design.chamber_count), pitch
 
 
 def _slab_cells(design: SlabDesign) -> tuple[list[Body], np.ndarray]:

@@ -54,11 +54,25 @@ def plate_strains(layers: Layers) -> np.ndarray:
     that the answer is (-1/6, 1/3) times one 2 x 2 solve; k1/k2 = -1/2 always.
     """
     m = moments(layers)
+    if layers.sheet is not None and layers.sheet_height is not None:
+        return _held_by_a_sheet(m, layers.sheet, layers.sheet_height)
     profile = np.linalg.solve(m.stiffness, m.air[..., None])[..., 0]
     return np.stack(
         [-profile[..., 0] / 6, profile[..., 0] / 3, -profile[..., 1] / 6, profile[..., 1] / 3],
         axis=-1,
     )
+
+
+def _held_by_a_sheet(m: Moments, sheet: np.ndarray, height: np.ndarray) -> np.ndarray:
+    """As :func:`plate_strains`, with the energy of a sheet, K/2 (e2 + k2 z)^2, added: it lies
+    across the chambers (theta = 90 degrees), so that index 2 is the axis."""
+    arm = np.stack([np.ones_like(height), height], axis=-1)
+    matrix = np.einsum("ij,...ab->...iajb", np.array([[4.0, 2.0], [2.0, 4.0]]), m.stiffness)
+    matrix[..., 1, :, 1, :] += sheet[..., None, None] * arm[..., :, None] * arm[..., None, :]
+    load = np.stack([np.zeros_like(m.air), m.air], axis=-2)
+    batch = m.air.shape[:-1]
+    found = np.linalg.solve(matrix.reshape(*batch, 4, 4), load.reshape(*batch, 4, 1))[..., 0]
+    return found[..., [0, 2, 1, 3]]
 
 
 def plate_strains_compressible(layers: Layers, poisson: float) -> np.ndarray:

@@ -1,10 +1,11 @@
 """Designs as stacks of layers: how much of each height is rubber, and how much is chamber."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from actuators.design import Design, ObliqueDesign, SlabDesign
+from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.geometry.block_body import sheet_stiffness
 from actuators.materials import material
 
 
@@ -14,7 +15,9 @@ class Layers:
 
     ``height``: (..., m + 1) borders [m] from the underside; ``rubber``, ``air``: (..., m) area of a
     layer seen from above, over one pitch [m2]; ``shear_modulus``: (..., m) [Pa]; ``theta``: (...)
-    angle from the axis to the chambers.
+    angle from the axis to the chambers. ``sheet``: (...) stiffness of an embedded sheet along the
+    axis over one pitch [J], at ``sheet_height`` [m]; both None without one (theta is then 90
+    degrees in every family that has one).
     """
 
     height: np.ndarray
@@ -22,6 +25,8 @@ class Layers:
     air: np.ndarray
     shear_modulus: np.ndarray
     theta: np.ndarray
+    sheet_height: np.ndarray | None = None
+    sheet: np.ndarray | None = None
 
 
 def oblique_layers(
@@ -97,20 +102,30 @@ def slab_layers(
 
 def design_layers(design: Design) -> Layers:
     """Layers of every chamber of a design, from the clamp on; batch axis (n,)."""
-    if isinstance(design, ObliqueDesign):
-        return oblique_layers(
-            theta=np.full(design.chamber_count, design.theta),
-            half_gap=np.array(design.half_gap),
-            wall_thickness=np.array(design.wall_thickness),
-            half_chamber=np.array(design.half_chamber),
-            width=np.array(design.width),
-            chamber_width=np.array(design.chamber_width),
-            bottom_thickness=np.array(design.bottom_thickness),
-            foot_height=np.array(design.foot_height),
-            wall_height=np.array(design.wall_height),
-            roof_thickness=np.array(design.roof_thickness),
-            bottom_shear=np.array(material(design.bottom_material).shear_modulus),
-            top_shear=np.array(material(design.top_material).shear_modulus),
+    if isinstance(design, BLOCK_FAMILIES):
+        bar = design.bar
+        layers = oblique_layers(
+            theta=np.full(bar.chamber_count, bar.theta),
+            half_gap=np.array(bar.half_gap),
+            wall_thickness=np.array(bar.wall_thickness),
+            half_chamber=np.array(bar.half_chamber),
+            width=np.array(bar.width),
+            chamber_width=np.array(bar.chamber_width),
+            bottom_thickness=np.array(bar.bottom_thickness),
+            foot_height=np.array(bar.foot_height),
+            wall_height=np.array(bar.wall_height),
+            roof_thickness=np.array(bar.roof_thickness),
+            bottom_shear=np.array(material(bar.bottom_material).shear_modulus),
+            top_shear=np.array(material(bar.top_material).shear_modulus),
+        )
+        if bar.sheet is None:
+            return layers
+        sheet = sheet_stiffness(bar) * bar.width * bar.pitch
+        count = bar.chamber_count
+        return replace(
+            layers,
+            sheet=np.full(count, sheet),
+            sheet_height=np.full(count, bar.sheet.height),
         )
     if isinstance(design, SlabDesign):
         middles = design.chamber_starts() + design.chamber_length / 2

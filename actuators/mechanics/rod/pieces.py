@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.design import Design, ObliqueDesign, SlabDesign
+from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.geometry.block_body import sheet_stiffness
 from actuators.materials import material
 from actuators.mechanics.cell.row import ChamberRow
-from actuators.mechanics.rod.section import layered_section
+from actuators.mechanics.rod.section import layered_section, sheet_section
 
 FINEST = 24
 """Pieces no longer than 1/24 of the length: weight bends them by their middle's moment, an error
@@ -77,25 +78,28 @@ def rod_of(design: Design, row: ChamberRow, free: np.ndarray, *, finest: int = F
 
 def _solid_end(design: Design, at: float) -> tuple[np.ndarray, float, float]:
     """Stiffness (4, 4), line mass [kg/m] and height of the mass [m] of the solid section at X1."""
-    bottom, top = material(_key(design, "bottom")), material(_key(design, "top"))
+    bottom, top = (material(getattr(design, name)) for name in design.layer_materials)
+    sheet: tuple[float, float] = (0.0, 0.0)
     if isinstance(design, SlabDesign):
-        width, lower = 2 * float(design.half_width(at)), design.bottom_thickness
-    elif isinstance(design, ObliqueDesign):
-        width, lower = design.width, design.bottom_thickness
+        width, lower, height = (
+            2 * float(design.half_width(at)),
+            design.bottom_thickness,
+            design.height,
+        )
+    elif isinstance(design, BLOCK_FAMILIES):
+        bar = design.bar
+        width, lower, height = bar.width, bar.bottom_thickness, bar.height
+        if bar.sheet is not None:
+            sheet = (sheet_stiffness(bar), bar.sheet.height)
     else:
         raise TypeError(f"no sections for {type(design).__name__}")
-    upper = design.height - lower
-    thickness = np.array([lower, upper])
+    thickness = np.array([lower, height - lower])
     section = layered_section(
         width,
         thickness,
         np.array([bottom.youngs_modulus, top.youngs_modulus]),
         np.array([bottom.shear_modulus, top.shear_modulus]),
-    )
+    ) + sheet_section(width, *sheet)
     masses = np.array([bottom.density, top.density]) * thickness * width
-    centres = np.array([lower / 2, lower + upper / 2])
+    centres = np.array([lower / 2, (lower + height) / 2])
     return section, float(masses.sum()), float(masses @ centres / masses.sum())
-
-
-def _key(design: Design, layer: str) -> str:
-    return getattr(design, f"{layer}_material")

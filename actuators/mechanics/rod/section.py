@@ -34,6 +34,16 @@ def layered_section(
     )
 
 
+def sheet_section(width: float, stiffness: float, height: float) -> np.ndarray:
+    """What a sheet that resists stretch along the axis adds to the section (4, 4): ``stiffness``
+    [N/m] over the whole width, at this height."""
+    axial = stiffness * width
+    section = np.zeros((4, 4))
+    section[np.ix_((0, 2), (0, 2))] = axial * np.array([[1, height], [height, height**2]])
+    section[3, 3] = axial * width**2 / 12
+    return section
+
+
 def torsion_constant(a: float, b: float) -> float:
     """Saint-Venant torsion constant of an a by b rectangle [m4]; four terms of the series are
     exact to 1e-5 for every aspect ratio."""

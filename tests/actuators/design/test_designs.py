@@ -116,6 +116,12 @@ def test_a_value_out_of_its_limits_is_refused_with_field_value_and_mend(
         ({"family": "oblique", "channel_height_mm": 1.8}, "channel_height"),
         ({"family": "oblique", "theta_deg": 15}, "length"),
         ({"family": "slab", "planform": "hexagon"}, "planform"),
+        ({"family": "printed", "side_wall_mm": 8.4}, "side_wall"),
+        ({"family": "printed", "channel_width_mm": 13.8}, "channel_width"),
+        ({"family": "printed", "channel_height_mm": 2.3}, "channel_height"),
+        ({"family": "printed", "layer_height_mm": 0.05}, "layer_height"),
+        ({"family": "printed", "layer_height_mm": 2.45}, "layer_height"),
+        ({"family": "printed", "chamber_count": 15}, "length"),
         ({"family": "cube"}, "family"),
         ({"family": ["slab"]}, "family"),
         ({"family": "slab", "lenght_mm": 80}, "lenght_mm"),
@@ -169,3 +175,13 @@ def test_skew_follows_the_angle(theta: float) -> None:
     design = ObliqueDesign().changed(theta=theta, chamber_count=1, length=200)
     assert isinstance(design, ObliqueDesign)
     assert design.cot_theta == pytest.approx(1 / math.tan(math.radians(theta)), abs=1e-12)
+
+
+def test_the_layer_carries_its_assumptions_with_it() -> None:
+    printed = preset("printed-14").design
+    assert any("1000 times" in sentence for sentence in printed.assumptions())
+    plain = printed.changed(layer="none").assumptions()
+    assert not any("layer" in sentence for sentence in plain)
+    assert any("chamber_length" in sentence for sentence in plain)
+    # where nothing reads it, its height may be anything within its limits
+    assert printed.changed(layer="none", layer_height=20).digest != printed.digest

@@ -16,10 +16,12 @@ from actuators.mechanics.energy_model import (
 )
 
 
-@pytest.mark.parametrize("name", ["slab-rectangle-low", "slab-ellipse-high", "oblique-45"])
+@pytest.mark.parametrize(
+    "name", ["slab-rectangle-low", "slab-ellipse-high", "oblique-45", "printed-14"]
+)
 def test_layers_hold_the_rubber_and_air_of_the_chamber(name: str) -> None:
     design: Design = preset(name).design
-    if name.startswith("oblique"):
+    if name.startswith(("oblique", "printed")):
         design = design.changed(channel_width=0)  # the layers leave the channel out
     layers = design_layers(design)
     rubber, air = volumes_of(build_cell(design, 2))

@@ -1,5 +1,7 @@
 """The linear system against a blind minimisation of all seven unknowns."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from scipy.optimize import minimize
@@ -114,3 +116,14 @@ def test_a_batch_of_designs_answers_as_one_by_one() -> None:
         )
     )  # fmt: skip
     np.testing.assert_allclose(batch, single, rtol=1e-12)
+
+
+def test_a_sheet_moves_the_neutral_plane_into_itself() -> None:
+    """A stiff sheet holds the axis where it lies; a feather-light one changes nothing."""
+    plain = some_layers(np.pi / 2)
+    height = np.array(1.2e-3)
+    stiff = plate_strains(dataclasses.replace(plain, sheet=np.array(1e6), sheet_height=height))
+    light = plate_strains(dataclasses.replace(plain, sheet=np.array(1e-9), sheet_height=height))
+    assert stiff[1] + stiff[3] * 1.2e-3 == pytest.approx(0.0, abs=1e-6 * abs(stiff[1]))
+    assert stiff[3] > 0
+    np.testing.assert_allclose(light, plate_strains(plain), rtol=1e-6)

@@ -151,6 +151,14 @@ def test_an_oblique_mould_is_refused_with_the_reason() -> None:
     assert "actuator-stl" in caught.value.mend
 
 
+def test_a_printed_actuator_needs_no_mould() -> None:
+    design = preset("printed-14").design
+    assert available(design) == ("actuator-stl",)
+    with pytest.raises(QuestionError, match="printed in one piece, not cast") as caught:
+        write(design, "mould-svg")
+    assert "actuator-stl" in caught.value.mend
+
+
 def test_an_unknown_kind_is_refused_with_those_there_are() -> None:
     with pytest.raises(QuestionError, match="mould-svg, actuator-stl"):
         write(preset("oblique-45").design, "step")

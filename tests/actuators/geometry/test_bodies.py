@@ -79,3 +79,16 @@ def test_what_follows_from_a_design_is_finite_and_positive(name: str) -> None:
     values = derived(preset(name).design)
     assert all(d.value > 0 and np.isfinite(d.value) and d.unit for d in values)
     assert len({d.label for d in values}) == len(values)
+
+
+def test_the_printed_body_lies_on_its_layer() -> None:
+    design = preset("printed-14").design
+    (sheet,) = build_body(design).membranes
+    assert sheet.plane in build_body(design).lines[2]
+    assert sheet.stiffness == pytest.approx(1000 * 12e6 * 0.5e-3, rel=1e-6)
+    assert build_body(design).half().membranes == (sheet,)
+    assert build_cell(design, 0).membranes == (sheet,)
+    assert build_body(design.changed(layer_height=0)).membranes[0].plane == 0.0
+    bare = build_body(design.changed(layer="none"))
+    assert bare.membranes == ()
+    assert len(bare.lines[2]) == len(build_body(design).lines[2]) - 1

@@ -44,3 +44,13 @@ def test_masses_are_volume_times_density(name: str) -> None:
     assert top == pytest.approx(volumes.top * material(design.top_material).density)
     assert all(math.isfinite(m) and 1e-4 < m < 1 for m in (bottom, top)), "grams, not tonnes"
     assert np.isclose(bottom + top, volumes.rubber * 1e3, rtol=0.2), "silicone is near 1 g/ml"
+
+
+def test_printed_blocks_by_hand() -> None:
+    volumes = exact_volumes(preset("printed-14").design)
+    assert volumes.bottom == pytest.approx(103e-3 * 17e-3 * 2.5e-3)
+    # 14 chambers of 3.5 x 13.8 x 11 mm; 13 pieces of channel, 3.4 x 3 x 1.5 mm
+    assert volumes.cavity == pytest.approx(14 * 3.5e-3 * 13.8e-3 * 11e-3 + 13 * 3.4e-3 * 4.5e-6)
+    envelope = 103e-3 * 17e-3 * 15e-3
+    gaps = 14 * 1e-3 * 17e-3 * 10e-3  # half ones at either end
+    assert volumes.rubber + volumes.cavity == pytest.approx(envelope - gaps)
