@@ -5,8 +5,9 @@ shorter than (1 - f/4) of the correction itself; a full step under a more lenien
 simplified correction shrinks well it is added, and the old tangent is used again while that pays: a
 residual costs a tenth of a factorisation.
 
-Either the cavity pressure is given, or its volume (then the pressure is one more unknown): volume
-control passes a pressure's limit point.
+Either the cavity pressure is given, or it is one more unknown and something else is: the cavity's
+volume, which passes a pressure's limit points, or a plane across the path, which passes those of
+the volume too.
 """
 
 from collections.abc import Callable
@@ -49,14 +50,23 @@ class Failure:
     iterations: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """States whose unknowns x (n,) satisfy ``normal`` . (x - ``through``) = 0."""
+
+    normal: np.ndarray
+    through: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
 class Target:
-    """What is prescribed: ``pressure`` [Pa], or ``volume`` [m3] with ``pressure`` as first guess;
-    ``loads``: share of weight and outer loads."""
+    """What is prescribed: ``pressure`` [Pa]; or ``volume`` [m3] or ``plane``, with ``pressure`` as
+    first guess. ``loads``: share of weight and outer loads."""
 
     pressure: float
     volume: float | None = None
     loads: float = 1.0
+    plane: Plane | None = None
 
 
 def solve_equilibrium(
@@ -122,24 +132,30 @@ def solve_equilibrium(
 
 
 class _Border:
-    """Corrections with the tangent just factorised, for given pressure or given volume."""
+    """Corrections with the tangent just factorised, for given pressure or one condition more."""
 
     def __init__(
         self, system: ContinuumSystem, solver: SymmetricSolver, state: State, target: Target
     ) -> None:
         self._system, self._solver, self._target = system, solver, target
-        if target.volume is not None:
-            _, self._gradient = system.volume(state)
-            self._inflation = solver.solve(self._gradient)
+        if target.volume is not None or target.plane is not None:
+            _, gradient = system.volume(state)
+            self._inflation = solver.solve(gradient)
+            self._row = target.plane.normal if target.plane is not None else gradient
+
+    def _lack(self, state: State) -> float | None:
+        """How much the condition lacks at ``state``; None where the pressure is given."""
+        plane, volume = self._target.plane, self._target.volume
+        if plane is not None:
+            return float(plane.normal @ (plane.through - self._system.unknowns_of(state)))
+        return None if volume is None else volume - self._system.volume(state)[0]
 
     def correction(self, state: State, balance: Balance) -> tuple[State, float]:
         """Step of the state and of the pressure."""
         solution = self._solver.solve(-self._system.reduce(balance))
-        change = 0.0
-        if self._target.volume is not None:
-            volume, _ = self._system.volume(state)
-            missing = self._target.volume - volume - self._gradient @ solution
-            change = float(missing / (self._gradient @ self._inflation))
+        change, lack = 0.0, self._lack(state)
+        if lack is not None:
+            change = float((lack - self._row @ solution) / (self._row @ self._inflation))
             solution = solution + change * self._inflation
         return self._system.expand(solution, balance), change
 

@@ -213,6 +213,13 @@ class ContinuumSystem:
         )  # fmt: skip
         return State(du, dq)
 
+    def unknowns_of(self, state: State) -> np.ndarray:
+        """Displacements (unknowns,) that are not held [m]."""
+        values = np.empty(self.unknowns)
+        kept = self.dof >= 0
+        values[self.dof[kept]] = state.displacement[kept]
+        return values
+
     def volume(self, state: State) -> tuple[float, np.ndarray]:
         """Cavity volume [m3] and its derivative (unknowns,) [m2]. A half model's is that of its
         half."""
