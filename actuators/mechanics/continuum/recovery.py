@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.mechanics.continuum.estimates import JUDGED
 from actuators.mechanics.continuum.findings import advice, effects, overlap_note, range_notes
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sections import RodShape, rod_shape
@@ -17,15 +18,19 @@ from actuators.mechanics.scene import Scene
 
 @dataclass(eq=False)
 class Answer:
-    """States on the finest mesh reached. ``error_estimate`` is None where only one mesh answered;
-    ``stopped``: why refinement ended early; ``solved``: points solved on this very mesh."""
+    """States on the finest mesh reached. ``errors``: estimates by quantity, empty where only one
+    mesh answered; ``stopped``: why refinement ended early; ``solved``: points solved on this very
+    mesh; ``chosen``: whether the mesh was asked for; ``too_large``: unknowns of the next mesh,
+    where it was more than this version takes."""
 
     system: ContinuumSystem
     path: Path
-    error_estimate: float | None
+    errors: dict[str, float]
     iterations: int
     stopped: Outcome | None
     solved: int
+    chosen: bool = False
+    too_large: int | None = None
 
 
 def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Response:
@@ -54,7 +59,8 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         advice=advice(path, points, scene),
         centreline=shape.centreline,
         surface=surface_fields(system, states, strain),
-        error_estimate=answer.error_estimate,
+        error_estimate=answer.errors.get("tip"),
+        error_estimates=answer.errors,
         unknowns=system.unknowns,
         newton_iterations=answer.iterations,
         effects=effects(scene, points, note, has_gaps(mesh), mesh.is_half),
@@ -100,13 +106,20 @@ def _triple(x: np.ndarray) -> tuple[float, float, float]:
 
 def _notes(answer: Answer, accuracy: float) -> list[str]:
     notes: list[str] = []
-    estimate, count = answer.error_estimate, len(answer.path.points)
-    if estimate is None and count:
+    errors, count = answer.errors, len(answer.path.points)
+    judged = {name: errors[name] for name in JUDGED if name in errors}
+    worst = max(judged, key=lambda name: judged[name], default=None)
+    if worst is None and count:
         notes.append("Only the coarsest mesh answered: there is no error estimate.")
-    elif estimate is not None and estimate > accuracy:
+    elif worst is not None and judged[worst] > accuracy and not answer.chosen:
+        why = (
+            f"the next mesh has {answer.too_large} unknowns, more than this version takes"
+            if answer.too_large is not None
+            else "there is no finer mesh"
+        )
         notes.append(
-            f"The accuracy asked for ({accuracy:.2g}) was not reached: two nested meshes still "
-            f"differ by {estimate:.2g}, and a finer one exceeds this version's size."
+            f"The accuracy asked for ({accuracy:.2g}) was not reached: the estimated error of "
+            f"{_IN_WORDS[worst]} is {judged[worst]:.2g}, and {why}."
         )
     if answer.solved < count:
         notes.append(
@@ -114,3 +127,9 @@ def _notes(answer: Answer, accuracy: float) -> list[str]:
             "coarse answers with the correction interpolated."
         )
     return notes
+
+
+_IN_WORDS = {
+    "tip": "the tip's displacement", "angle": "the free end's turn",
+    "force": "the force on the plate", "limit_pressure": "the limit pressure",
+}  # fmt: skip

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.newton import (
     MONOTONE,
     Equilibrium,
@@ -20,9 +21,6 @@ from actuators.meshing import prolong_nodes, prolong_pressure
 NEAR_LIMIT = 0.8
 """Above this fraction of the pressure at which a path ended early, the finer mesh follows its own:
 its limit may lie lower."""
-UNKNOWNS_TO_SOLVE = 400_000
-"""Points times unknowns that the finest mesh solves; further points are corrected by
-interpolation."""
 
 
 @dataclass(eq=False)
@@ -102,30 +100,63 @@ class Refinement:
             before = self._at(self._shared - 2, self._starts[-2].moved(1.0, correction))
             history = [before, anchor.found] if before is not None else history
         follower = PathFollower(self._fine, self._solver, stop=self._stop)
-        left = [p for p in report if p > anchor.found.pressure] if report is not None else None
-        path = follower.resume(history, pressure_to, left)
+        goal = Goal.pressure(pressure_to, report)
+        path = follower.resume(history, self._path.points[0], goal)
         self.iterations += path.iterations
         return path
 
-    def whole_path(self, anchor: Anchor, rest: Path | None) -> Refined:
-        """All points, from the anchor backwards, each started with the correction of the one
-        before it; then ``rest``."""
-        found: dict[int, Equilibrium] = {**self._marched, self._shared - 1: anchor.found}
-        points = _choose(self._shared, self._fine.unknowns)
-        for done, index in enumerate(points[::-1][1:], 1):
-            if index in found:
-                continue
-            nearest = min(i for i in found if i > index)
-            correction = _minus(found[nearest].state, self._starts[nearest])
-            result = self._at(index, self._starts[index].moved(1.0, correction))
-            if result is None and self._stop() is None:
-                result = self._at(index, self._starts[index])
-            if self._stop() is not None:
-                break
-            if result is not None:
-                found[index] = result
-            self._watch(done / len(points))
+    def whole_path(self, anchor: Anchor, rest: Path | None, accuracy: float = 0.0) -> Refined:
+        """All points, then ``rest``. From the first point and the anchor inwards, points are solved
+        until the correction interpolated between solved ones meets a solved one within a tenth
+        of ``accuracy``; each is started with that interpolation."""
+        last = self._shared - 1
+        found: dict[int, Equilibrium] = {**self._marched, last: anchor.found}
+        if last > 0 and self._solve_point(0, found) is not None:
+            spans = [(0, last)]
+            while spans and self._stop() is None:
+                low, high = spans.pop(0)
+                middle = self._middle(low, high)
+                if middle in (low, high) or middle in found:
+                    continue
+                off = self._solve_point(middle, found)
+                if off is not None and off > accuracy / 10:
+                    spans += [(low, middle), (middle, high)]
+                self._watch(len(found) / self._shared)
         return self._assemble(found, rest)
+
+    def _middle(self, low: int, high: int) -> int:
+        """Point nearest to the middle of a span in cavity volume."""
+        volume = [e.volume for e in self._path.points[low : high + 1]]
+        return low + int(np.argmin(np.abs(np.array(volume) - (volume[0] + volume[-1]) / 2)))
+
+    def _solve_point(self, index: int, found: dict[int, Equilibrium]) -> float | None:
+        """Solve one point from the known ones and add it; how far the interpolation was off, as a
+        fraction of the largest displacement. None where no equilibrium was found."""
+        if index in found:
+            return 0.0
+        start = self._interpolated(index, found)
+        result = self._at(index, start)
+        if result is None and self._stop() is None:
+            result = self._at(index, self._starts[index])
+        if result is None:
+            return None
+        found[index] = result
+        exact = result.state.displacement
+        size = float(np.abs(exact).max())
+        return float(np.abs(start.displacement - exact).max()) / size if size > 0 else 0.0
+
+    def _interpolated(self, index: int, found: dict[int, Equilibrium]) -> State:
+        """The coarse state with the correction interpolated between solved points, by volume."""
+        known = sorted(found)
+        at = np.array([self._path.points[i].volume for i in known])
+        order = np.argsort(at)
+        weights = _hats(at[order], self._path.points[index].volume)
+        state = self._starts[index]
+        for weight, number in zip(weights, order, strict=True):
+            if weight != 0.0:
+                near = known[number]
+                state = state.moved(weight, _minus(found[near].state, self._starts[near]))
+        return state
 
     def _at(self, index: int, start: State) -> Equilibrium | None:
         result = solve_equilibrium(
@@ -136,24 +167,18 @@ class Refinement:
         return result if isinstance(result, Equilibrium) else None
 
     def _assemble(self, found: dict[int, Equilibrium], rest: Path | None) -> Refined:
-        known = sorted(found)
-        corrections = [_minus(found[i].state, self._starts[i]) for i in known]
-        at = np.array([self._path.points[i].volume for i in known])
         points: list[Equilibrium] = []
         for index, coarse in enumerate(self._path.points[: self._shared]):
             if index in found:
                 points.append(found[index])
                 continue
-            state = self._starts[index]
-            for weight, correction in zip(_hats(at, coarse.volume), corrections, strict=True):
-                if weight != 0.0:
-                    state = state.moved(weight, correction)
+            state = self._interpolated(index, found)
             volume, _ = self._fine.volume(state)
             points.append(Equilibrium(state, coarse.pressure, volume, 0, None))
         if rest is None:
-            return Refined(Path(points, self._path.outcome, self._path.reason), len(known))
+            return Refined(Path(points, self._path.outcome, self._path.reason), len(found))
         points += rest.points
-        return Refined(Path(points, rest.outcome, rest.reason), len(known) + len(rest.points))
+        return Refined(Path(points, rest.outcome, rest.reason), len(found) + len(rest.points))
 
 
 def shared_points(path: Path) -> int:
@@ -164,31 +189,11 @@ def shared_points(path: Path) -> int:
     return max(1, sum(e.pressure <= NEAR_LIMIT * limit for e in path.points))
 
 
-def difference(before: Anchor, after: Anchor, limits: tuple[float, float] | None) -> float:
-    """Difference of the tip's displacement at the anchor over its size, or of the two limit
-    pressures over the later one, whichever is larger."""
-    old = before.found.state.displacement[before.system.mesh.underside_line[-1]]
-    new = after.found.state.displacement[after.system.mesh.underside_line[-1]]
-    size = float(np.linalg.norm(new))
-    change = float(np.linalg.norm(new - old)) / size if size > 0 else 0.0
-    if limits is not None:
-        change = max(change, abs(limits[1] - limits[0]) / limits[1])
-    return change
-
-
 def _prolong(coarse: ContinuumSystem, fine: ContinuumSystem, state: State) -> State:
     return State(
         prolong_nodes(coarse.mesh, fine.mesh) @ state.displacement,
         prolong_pressure(coarse.mesh, fine.mesh, state.pressure),
     )
-
-
-def _choose(count: int, unknowns: int) -> list[int]:
-    """Points to solve: all, or evenly spread with both ends."""
-    affordable = max(2, UNKNOWNS_TO_SOLVE // max(unknowns, 1))
-    if affordable >= count:
-        return list(range(count))
-    return sorted({round(i) for i in np.linspace(0, count - 1, affordable)})
 
 
 def _hats(at: np.ndarray, where: float) -> np.ndarray:
