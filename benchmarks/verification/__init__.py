@@ -1,0 +1,1 @@
+"""Problems with closed forms, solved by the engine: tests and the validation page share them."""
