@@ -33,7 +33,7 @@ def pressure_step(history: Sequence[Equilibrium]) -> float:
 
 
 def difference(a: State, b: State) -> State:
-    return State(a.displacement - b.displacement, a.pressure - b.pressure)
+    return a.moved(-1.0, b)
 
 
 def lagrange_weights(known: Sequence[float], at: float) -> list[float]:
@@ -45,10 +45,10 @@ def lagrange_weights(known: Sequence[float], at: float) -> list[float]:
 
 
 def combine(states: Sequence[State], weights: Sequence[float]) -> State:
-    return State(
-        sum((w * s.displacement for w, s in zip(weights, states, strict=True)), np.zeros(())),
-        sum((w * s.pressure for w, s in zip(weights, states, strict=True)), np.zeros(())),
-    )
+    total = states[0].moved(weights[0] - 1.0, states[0])
+    for weight, state in zip(weights[1:], states[1:], strict=True):
+        total = total.moved(weight, state)
+    return total
 
 
 def predict(history: list[Equilibrium], pressure: float) -> State:

@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from actuators.mechanics.continuum.kernel.condense import (
     condense_residual,
     expand_correction,
 )
+from actuators.mechanics.continuum.kernel.membrane import SHEET_POINTS
 from actuators.mechanics.continuum.kernel.pattern import (
     merge_neighbours,
     node_neighbours,
@@ -23,8 +24,9 @@ from actuators.mechanics.continuum.kernel.pattern import (
     upper_rows,
 )
 from actuators.mechanics.continuum.outer_loads import FacePlaces, OuterLoads, face_places
+from actuators.mechanics.continuum.sheets import by_element, sheets_of
 from actuators.mechanics.direct_solver import SymmetricSolver
-from actuators.meshing import CENTRE, FACE_NODES, Faces, HexMesh
+from actuators.meshing import CENTRE, FACE_NODES, HexMesh
 
 # numba's simplest threading layer must not be entered by two threads at once
 _PARALLEL = threading.Lock()
@@ -32,25 +34,32 @@ _PARALLEL = threading.Lock()
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """``displacement`` (n, 3) [m]; ``pressure`` (m, 4) [Pa], element-wise value and slopes."""
+    """``displacement`` (n, 3) [m]; ``pressure`` (m, 4) [Pa], element-wise value and slopes;
+    ``sheet`` (f, 6) [N/m], forces of embedded sheets, empty for none."""
 
     displacement: np.ndarray
     pressure: np.ndarray
+    sheet: np.ndarray = field(default_factory=lambda: np.zeros((0, SHEET_POINTS)))
 
     def moved(self, factor: float, step: "State") -> "State":
         """self + factor * step."""
+        sheet = factor * step.sheet
         return State(
-            self.displacement + factor * step.displacement, self.pressure + factor * step.pressure
+            self.displacement + factor * step.displacement,
+            self.pressure + factor * step.pressure,
+            self.sheet + sheet if len(self.sheet) else sheet,
         )
 
 
 @dataclass(frozen=True, eq=False)
 class Balance:
-    """Out-of-balance forces: ``residual`` (n, 3) [N], ``inner`` (m, 4) [m3]; ``admissible`` is
+    """Out-of-balance forces: ``residual`` (n, 3) [N], ``inner`` (m, 4) [m3], ``sheet`` (f, 6):
+    stretch of a sheet less what its force accounts for; ``admissible`` is
     False where an element is turned inside out."""
 
     residual: np.ndarray
     inner: np.ndarray
+    sheet: np.ndarray
     admissible: bool
 
 
@@ -135,9 +144,9 @@ class ContinuumSystem:
 
     def _set_faces(self) -> None:
         mesh, count = self.mesh, len(self.mesh.elements)
-        self._face_start, self._face_local, _ = _by_element(mesh.cavity_faces, count)
-        self._sheet_start, self._sheet_local, order = _by_element(mesh.membrane_faces, count)
-        self._sheet_stiffness = np.ascontiguousarray(mesh.membrane_stiffness[order], dtype=float)
+        self._face_start, order = by_element(mesh.cavity_faces, count)
+        self._face_local = mesh.cavity_faces.local[order].astype(np.int64)
+        self._sheets = sheets_of(mesh)
         colour = (mesh.box % 2) @ np.array([1, 2, 4])
         self._colour_order = np.argsort(colour, kind="stable").astype(np.int64)
         per_colour = np.bincount(colour, minlength=8)
@@ -145,7 +154,11 @@ class ContinuumSystem:
 
     def rest(self) -> State:
         """Undeformed state."""
-        return State(np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)))
+        return State(
+            np.zeros_like(self.mesh.nodes),
+            np.zeros((len(self.mesh.elements), 4)),
+            self._sheets.no_force,
+        )
 
     def balance(self, state: State, pressure: float, *, loads: float = 1.0) -> Balance:
         """Residual at cavity ``pressure`` [Pa] and this share of weight and outer loads."""
@@ -159,6 +172,7 @@ class ContinuumSystem:
         mesh = self.mesh
         residual = np.zeros_like(mesh.nodes)
         inner = np.zeros((len(mesh.elements), 4))
+        sheets, gap = self._sheets, self._sheets.no_force
         positions = mesh.nodes + state.displacement
         if tangent:
             self._widen(positions)
@@ -166,10 +180,12 @@ class ContinuumSystem:
             assemble(
                 mesh.nodes, state.displacement, state.pressure, mesh.elements, mesh.region,
                 self.codes, self.counts, self.coefficients, self._compliance, loads * self.weight,
-                pressure, self._face_start, self._face_local, FACE_NODES, self._sheet_start,
-                self._sheet_local, self._sheet_stiffness, self._colour_start,
+                pressure, self._face_start, self._face_local, FACE_NODES, sheets.start,
+                sheets.local, sheets.stiffness,
+                state.sheet if len(state.sheet) else sheets.no_force, self._colour_start,
                 self._colour_order, self._scatter, tangent, residual, inner, self.values,
                 self._recover, self._inverse, self._least,
+                gap, sheets.area, sheets.gradient,
             )  # fmt: skip
         self._add_outer_loads(positions, loads, residual, tangent=tangent)
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
@@ -177,7 +193,7 @@ class ContinuumSystem:
             matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
             for interaction in self.interactions:
                 interaction.add(positions, residual, matrix)
-        return Balance(residual, inner, sound)
+        return Balance(residual, inner, gap, sound)
 
     def _add_outer_loads(
         self, positions: np.ndarray, share: float, residual: np.ndarray, *, tangent: bool
@@ -194,24 +210,27 @@ class ContinuumSystem:
     def reduce(self, balance: Balance) -> np.ndarray:
         """Condensed residual (unknowns,) with the tangent last filled."""
         out = np.empty(self.unknowns)
-        condense_residual(
-            self.mesh.elements, balance.residual, balance.inner, self._recover, self.dof, out
-        )
+        residual = balance.residual
+        if len(self._sheets):
+            residual = residual.copy()
+            np.add.at(residual, self._sheets.nodes, self._sheets.condensed(balance.sheet))
+        condense_residual(self.mesh.elements, residual, balance.inner, self._recover, self.dof, out)
         return out
 
     def expand(self, solution: np.ndarray, balance: Balance | None) -> State:
         """Full correction from the condensed one; ``balance`` None for a load on the unknowns."""
         if balance is None:
             balance = Balance(
-                np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)), True
-            )
+                np.zeros_like(self.mesh.nodes), np.zeros((len(self.mesh.elements), 4)),
+                self._sheets.no_force, True,
+            )  # fmt: skip
         du = np.empty_like(self.mesh.nodes)
         dq = np.empty((len(self.mesh.elements), 4))
         expand_correction(
             self.mesh.elements, balance.residual, balance.inner, self._recover, self._inverse,
             self.dof, solution, du, dq,
         )  # fmt: skip
-        return State(du, dq)
+        return State(du, dq, self._sheets.correction(du, balance.sheet))
 
     def unknowns_of(self, state: State) -> np.ndarray:
         """Displacements (unknowns,) that are not held [m]."""
@@ -231,14 +250,6 @@ class ContinuumSystem:
         kept = self.dof >= 0
         reduced[self.dof[kept]] = gradient[kept]
         return float(total), reduced
-
-
-def _by_element(faces: Faces, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where each element's faces begin (count + 1,), their sides, and the order they were taken
-    in."""
-    order = np.argsort(faces.element, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(faces.element, minlength=count))])
-    return start.astype(np.int64), faces.local[order].astype(np.int64), order
 
 
 def clamped(mesh: HexMesh) -> np.ndarray:

@@ -17,7 +17,7 @@ from actuators.meshing import mesh_body
 from benchmarks.mini_pneu_net import GRAVITY, MATERIALS, mini_pneu_net
 from tests.actuators.continuum.boxes import LAWS, block, rubber, skewed
 
-RATIOS = (1e2, 1e3, 1e4, 1e6, 1e9, math.inf)
+RATIOS = (1e2, 1e3, 1e4, 1e9, math.inf)
 
 
 def follow(ratio: float) -> tuple[np.ndarray, int, ContinuumSystem, State]:

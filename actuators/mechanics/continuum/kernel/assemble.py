@@ -71,6 +71,7 @@ def assemble(
     sheet_start: np.ndarray,
     sheet_local: np.ndarray,
     sheet_stiffness: np.ndarray,
+    sheet_force: np.ndarray,
     colour_start: np.ndarray,
     colour_order: np.ndarray,
     scatter: np.ndarray,
@@ -81,6 +82,9 @@ def assemble(
     recover: np.ndarray,
     inner_inverse: np.ndarray,
     least: np.ndarray,
+    sheet_gap: np.ndarray,
+    sheet_area: np.ndarray,
+    sheet_gradient: np.ndarray,
 ) -> None:
     """Fill residuals (n, 3), (m, 4), matrix ``values`` and the data of the condensation.
 
@@ -116,8 +120,10 @@ def assemble(
             )  # fmt: skip
             for sheet in range(sheet_start[e], sheet_start[e + 1]):
                 add_membrane(
-                    x, u, sheet_stiffness[sheet], face_nodes[sheet_local[sheet]], want_tangent, r, k
-                )
+                    x, u, sheet_stiffness[sheet], sheet_force[sheet],
+                    face_nodes[sheet_local[sheet]], want_tangent, r, k, sheet_gap[sheet],
+                    sheet_area[sheet], sheet_gradient[sheet],
+                )  # fmt: skip
             for n in range(27):
                 for i in range(3):
                     residual[elements[e, n], i] += r[n, i]

@@ -1,6 +1,7 @@
 """Embedded sheet: resists stretch along X1, bends freely, has no stiffness across.
 
-Energy per undeformed area K/2 (lambda - 1)^2, lambda = |dx/dX1| along the sheet. Two Gauss points
+Energy per undeformed area K/2 (lambda - 1)^2, lambda = |dx/dX1| along the sheet, with the force
+N = K (lambda - 1) as an unknown of its own (see ``continuum.sheets``). Two Gauss points
 along X1: there the slope of a quadratic is as exact as that of a cubic, so that an inextensible
 sheet costs one condition for every unknown along it, not more (no membrane locking). Three across.
 """
@@ -79,13 +80,21 @@ def add_membrane(
     x: np.ndarray,
     u: np.ndarray,
     stiffness: float,
+    force: np.ndarray,
     nodes: np.ndarray,
     want_tangent: bool,
     r: np.ndarray,
     k: np.ndarray,
+    gap: np.ndarray,
+    areas: np.ndarray,
+    gradient: np.ndarray,
 ) -> None:
     """Adds a sheet of ``stiffness`` K [N/m] on one face to ``r`` (27, 3) and ``k`` (3, 3, 27, 27;
-    i <= m only). ``nodes``: (9,) local nodes of the face."""
+    i <= m only), with ``force`` N (6,) [N/m] eliminated from the latter.
+
+    Energy N (lambda - 1) - N^2 / (2 K). ``nodes``: (9,) local nodes of the face. Fills ``gap`` (6,)
+    = lambda - 1 - N/K and, with the tangent, ``areas`` (6,), ``gradient`` (6, 9, 3) = dlambda/du.
+    """
     which = _across_x1(x, nodes)
     slope, fibre = np.empty(9), np.empty(3)
     for g in range(SHEET_POINTS):
@@ -99,12 +108,16 @@ def add_membrane(
         stretch = np.sqrt(square)
         for i in range(3):
             fibre[i] /= stretch
-        force = stiffness * (stretch - 1.0) * area
+        gap[g] = stretch - 1.0 - force[g] / stiffness
         for n in range(9):
             for i in range(3):
-                r[nodes[n], i] += force * fibre[i] * slope[n]
+                r[nodes[n], i] += area * force[g] * fibre[i] * slope[n]
         if want_tangent:
-            turning = force / stretch
+            areas[g] = area
+            for n in range(9):
+                for i in range(3):
+                    gradient[g, n, i] = fibre[i] * slope[n]
+            turning = area * force[g] / stretch
             stretching = stiffness * area - turning
             for i in range(3):
                 for m in range(i, 3):
