@@ -28,7 +28,8 @@ def pressure_step(history: Sequence[Equilibrium]) -> float:
     if len(history) < 2:
         return math.inf
     last, before = history[-1], history[-2]
-    slope = (last.volume - before.volume) / (last.pressure - before.pressure)
+    change = last.pressure - before.pressure
+    slope = (last.volume - before.volume) / change if change else 0.0
     return LARGEST_VOLUME_STEP * last.volume / slope if slope > 0 else math.inf
 
 
@@ -66,20 +67,21 @@ def predict_by_volume(trail: list[Equilibrium], volume: float) -> tuple[State, f
     return combine([e.state for e in recent], weights), pressure
 
 
-def is_near_summit(trail: Sequence[Equilibrium]) -> bool:
+def is_near_summit(trail: Sequence[Equilibrium], sign: float = 1.0) -> bool:
     """Whether the parabola p(V) through the last three states has its maximum less than
-    :data:`NEAR_SUMMIT` above the last one."""
+    :data:`NEAR_SUMMIT` above the last one; ``sign`` is -1 where both fall (suction)."""
     if len(trail) < 3:
         return False
-    v = np.array([e.volume - trail[-1].volume for e in trail[-3:]])
-    p = np.array([e.pressure for e in trail[-3:]])
+    v = sign * np.array([e.volume - trail[-1].volume for e in trail[-3:]])
+    p = sign * np.array([e.pressure for e in trail[-3:]])
     a, b, c = np.polyfit(v, p, 2)
     return bool(a < 0 and b > 0 and b * b / (-4 * a) < NEAR_SUMMIT * c)
 
 
-def summit_volume(three: list[Equilibrium]) -> float:
-    """Volume at the maximum of the parabola p(V) through three states."""
+def summit_volume(three: list[Equilibrium], sign: float = 1.0) -> float:
+    """Volume at the maximum of the parabola p(V) through three states; ``sign`` is -1 where p is
+    suction, and has a minimum."""
     v = np.array([e.volume for e in three])
-    p = np.array([e.pressure for e in three])
+    p = sign * np.array([e.pressure for e in three])
     a, b, _ = np.polyfit(v - v[1], p, 2)
     return float(v[1] - b / (2 * a)) if a < 0 else float(v[1])

@@ -1,0 +1,132 @@
+"""Walking along a path with the pressure unknown: past limit points of pressure, then of volume.
+
+The cavity's volume is prescribed in adaptive steps. Where that fails however small the step (one
+chamber runs away while others shrink, and the volume itself turns back), the next state is sought
+on a plane across the last secant instead (Riks' arc length): it passes limit points of both.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from actuators.mechanics.continuum.newton import Equilibrium, Failure, Plane, Target
+from actuators.mechanics.continuum.prediction import (
+    LARGEST_VOLUME_STEP,
+    combine,
+    growth,
+    predict_by_volume,
+)
+from actuators.mechanics.continuum.system import ContinuumSystem, State
+
+SMALLEST_VOLUME_STEP = 1 / 2000
+"""Fraction of the cavity's volume below which arc length takes over."""
+CAREFUL_STEP, EASY_ITERATIONS = 0.01, 4
+"""A step that changes stability in more iterations is halved, down to this share of the volume."""
+LARGEST_MOVE = 0.1
+"""Largest displacement of an arc step, as a fraction of the body's size."""
+SMALLEST_MOVE = 1e-5
+"""Below it, nothing continues the path."""
+
+Solve = Callable[[State, Target], Equilibrium | Failure]
+
+
+class Walk:
+    """States one after the other, from ``trail`` on. ``step``: first change of volume [m3], its
+    sign the direction. ``arrived``: the last state is at the volume asked for; ``reason`` says why
+    :meth:`advance` came to nothing."""
+
+    def __init__(
+        self, system: ContinuumSystem, solve: Solve, trail: Sequence[Equilibrium], step: float
+    ) -> None:
+        self._system, self._solve, self._step = system, solve, step
+        self._size = float(np.ptp(system.mesh.nodes, axis=0).max())
+        self._move = 0.0
+        self.trail = list(trail[-3:])
+        self.by_arc = False
+        self.arrived = False
+        self.reason = ""
+
+    def advance(
+        self, volume: float | None = None, *, given_up: Callable[[float], bool] = lambda step: False
+    ) -> Equilibrium | None:
+        """The next equilibrium, at ``volume`` exactly where a step comes to it; None where there is
+        none to be found. ``given_up`` is asked after a failure with the next smaller step, as a
+        fraction of the volume: whether to leave it at that."""
+        self.arrived = False
+        while not self.by_arc:
+            last = self.trail[-1]
+            step = float(np.copysign(min(abs(self._step), self._widest(last)), self._step))
+            wanted = last.volume + step
+            if volume is not None and (volume - wanted) * step < 0.2 * step * step:
+                wanted = volume
+            share = abs(wanted - last.volume) / last.volume
+            guess = predict_by_volume(self.trail, wanted)
+            found = self._solve(guess[0], Target(guess[1], volume=wanted))
+            if isinstance(found, Equilibrium) and not (_may_have_leapt(last, found, share)):
+                self._step = (wanted - last.volume) * growth(found.iterations)
+                self.arrived = wanted == volume
+                return self._taken(found)
+            self._step = (wanted - last.volume) / 2
+            if isinstance(found, Failure):
+                self.reason = found.reason
+                if given_up(share / 2):
+                    return None
+                self.by_arc = share / 2 < SMALLEST_VOLUME_STEP
+        return self._advance_by_arc(volume, given_up)
+
+    def _widest(self, last: Equilibrium) -> float:
+        return LARGEST_VOLUME_STEP * last.volume
+
+    def _taken(self, found: Equilibrium) -> Equilibrium:
+        self.trail = [*self.trail[-2:], found]
+        return found
+
+    def _advance_by_arc(
+        self, volume: float | None, given_up: Callable[[float], bool]
+    ) -> Equilibrium | None:
+        if len(self.trail) < 2:
+            return None
+        before, last = self.trail[-2:]
+        x, x_before = (self._system.unknowns_of(e.state) for e in (last, before))
+        secant = x - x_before
+        length = float(np.abs(secant).max())
+        if self._move == 0.0:
+            self._move = length / 2
+        while self._move > SMALLEST_MOVE * self._size:
+            move = min(self._move, LARGEST_MOVE * self._size)
+            ratio = min(
+                move / length,
+                self._widest(last) / max(abs(last.volume - before.volume), 1e-300),
+            )
+            plane = Plane(secant / length, x + ratio * secant)
+            start = combine([before.state, last.state], [-ratio, 1 + ratio])
+            guess = last.pressure + ratio * (last.pressure - before.pressure)
+            found = self._solve(start, Target(guess, plane=plane))
+            if isinstance(found, Equilibrium):
+                self._move = ratio * length * growth(found.iterations)
+                return self._taken(self._stopped_at(last, found, volume))
+            self.reason = found.reason
+            self._move = ratio * length / 2
+            if given_up(0.0):
+                return None
+        return None
+
+    def _stopped_at(
+        self, last: Equilibrium, found: Equilibrium, volume: float | None
+    ) -> Equilibrium:
+        """``found``, or the state at ``volume`` where that lies between it and ``last``."""
+        if volume is None or (found.volume - volume) * (last.volume - volume) > 0:
+            return found
+        share = (volume - last.volume) / (found.volume - last.volume)
+        start = combine([last.state, found.state], [1 - share, share])
+        guess = last.pressure + share * (found.pressure - last.pressure)
+        there = self._solve(start, Target(guess, volume=volume))
+        self.arrived = isinstance(there, Equilibrium)
+        return there if isinstance(there, Equilibrium) else found
+
+
+def _may_have_leapt(last: Equilibrium, found: Equilibrium, share: float) -> bool:
+    """Whether ``found`` cost so much, and is so differently stable, that it may lie on another
+    branch of the path: smaller steps will tell."""
+    one, other = last.negative_eigenvalues, found.negative_eigenvalues
+    return share > CAREFUL_STEP and found.iterations > EASY_ITERATIONS and one != other

@@ -1,0 +1,149 @@
+"""Volume control, suction and arc length: past the limit points of pressure, then of volume."""
+
+import numpy as np
+import pytest
+
+from actuators.geometry import CAVITY, Body, Region
+from actuators.materials import HyperelasticLaw, Material, MooneyRivlin, NeoHooke
+from actuators.mechanics.continuum.goal import Goal
+from actuators.mechanics.continuum.newton import Equilibrium, solve_equilibrium
+from actuators.mechanics.continuum.path import Path, PathFollower
+from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.continuum.walk import Walk
+from actuators.mechanics.direct_solver import open_solver
+from actuators.mechanics.response import Outcome
+from actuators.meshing import HexMesh, mesh_body
+from benchmarks.mini_pneu_net import GRAVITY, MATERIALS, mini_pneu_net
+
+OUTER = 10e-3
+
+
+def octant(inner: float, parts: int) -> HexMesh:
+    """An eighth of a hollow sphere; its planes pass through the origin and close the cavity."""
+
+    def place(lattice: np.ndarray) -> np.ndarray:
+        polar, around, r = np.moveaxis(np.asarray(lattice, dtype=float), -1, 0)
+        return np.stack(
+            [r * np.sin(polar) * np.cos(around), r * np.sin(polar) * np.sin(around),
+             r * np.cos(polar)], axis=-1,
+        )  # fmt: skip
+
+    quarter = np.array([0.0, np.pi / 2])
+    body = Body(
+        (quarter, quarter, np.array([0.0, inner, OUTER])),
+        np.array([[[CAVITY, 0]]], dtype=np.int8), (Region("rubber", "test"),), place, False,
+    )  # fmt: skip
+    return mesh_body(body, uniform=(parts, parts, 1 if inner > 0.9 * OUTER else parts))
+
+
+def sphere(law: HyperelasticLaw, inner: float, parts: int = 3) -> ContinuumSystem:
+    mesh = octant(inner, parts)
+    free = np.ones_like(mesh.nodes, dtype=bool)
+    free[np.abs(mesh.nodes) < 1e-12 * OUTER] = False
+    material = Material("test", "test", law, 1000.0, "test", bulk_to_shear=1e6)
+    return ContinuumSystem(mesh, [material], free=free)
+
+
+def reach(system: ContinuumSystem, goal: Goal) -> Path:
+    return PathFollower(system, open_solver(system.indptr, system.indices)).reach(goal)
+
+
+def rest_volume(system: ContinuumSystem) -> float:
+    return system.volume(system.rest())[0]
+
+
+def test_a_thick_sphere_filled_to_a_volume_reports_the_limit_it_passed() -> None:
+    system = sphere(NeoHooke(4e4), 5e-3)
+    start = rest_volume(system)
+    path = reach(system, Goal(8.0 * start, by_volume=True, steps=7))
+    assert path.outcome is Outcome.CONVERGED
+    volumes = [e.volume / start for e in path.points]
+    assert volumes == pytest.approx(np.arange(1.0, 9.0), rel=1e-6)
+    # reference/fe_benchmarks.csv, A/B = 0.5: p/mu = 0.806927 at an inner stretch of 2; the maximum
+    # 0.816424 lies at 1.8281
+    assert path.points[-1].pressure / 4e4 == pytest.approx(0.806927, rel=5e-3)
+    assert path.limit is not None
+    assert path.limit.pressure / 4e4 == pytest.approx(0.816424, rel=5e-3)
+    assert (path.limit.volume / start) ** (1 / 3) == pytest.approx(1.8281, abs=0.02)
+    assert path.by_arc == 0
+
+
+def test_pressure_control_ends_at_the_same_limit() -> None:
+    path = reach(sphere(NeoHooke(4e4), 5e-3), Goal.pressure(60e3))
+    assert path.outcome is Outcome.LIMIT_POINT
+    assert path.limit is path.points[-1]
+    assert path.points[-1].pressure / 4e4 == pytest.approx(0.816424, rel=5e-3)
+
+
+@pytest.mark.parametrize("by_arc", [False, True])
+def test_a_mooney_balloon_passes_its_maximum_and_its_minimum(by_arc: bool) -> None:
+    """Membrane: p = 4 (h/R) (1/L - 1/L^7) (c1 + c2 L^2), maximum at L = 1.476, minimum at 3.143
+    for c2/c1 = 0.1 (reference/fe_benchmarks.csv); a wall of 2 % follows it closely."""
+    c1, inner = 2e4, 9.8e-3
+    system = sphere(MooneyRivlin(c1, 0.1 * c1), inner)
+    solver = open_solver(system.indptr, system.indices)
+
+    def solve(state, target):
+        return solve_equilibrium(system, solver, state, target, tolerance=1e-6)
+
+    first = PathFollower(system, solver).follow(0.0, None).points[0]
+    walk = Walk(system, solve, [first], 0.05 * first.volume)
+    states: list[Equilibrium] = [first]
+    while states[-1].volume < 60 * first.volume:
+        walk.by_arc = by_arc and len(states) > 2
+        found = walk.advance()
+        assert found is not None, walk.reason
+        states.append(found)
+    stretch = np.array([(e.volume / first.volume) ** (1 / 3) for e in states])
+    # stretch of the wall's middle surface, from that of the incompressible wall's inside
+    middle = ((stretch**3 - 1) * (inner / 9.9e-3) ** 3 + 1) ** (1 / 3)
+    pressure = np.array([e.pressure for e in states])
+    membrane = 4 * 0.2e-3 / 9.9e-3 * (1 / middle - middle**-7) * c1 * (1 + 0.1 * middle**2)
+    assert pressure == pytest.approx(membrane, rel=0.02, abs=0.01 * membrane.max())
+    rising = np.diff(pressure) > 0
+    turns = stretch[1:-1][rising[1:] != rising[:-1]]
+    assert turns == pytest.approx([1.476, 3.143], abs=0.35)
+
+
+def test_a_soft_pneu_net_is_followed_where_its_volume_turns_back() -> None:
+    """One chamber balloons and drains the others: volume control stalls at V/V0 of about
+    3.45, where an independent engine came to 3.46."""
+    mesh = mesh_body(mini_pneu_net().half())
+    system = ContinuumSystem(mesh, MATERIALS, free=clamped(mesh), gravity=GRAVITY)
+    start = rest_volume(system)
+    path = reach(system, Goal(5.0 * start, by_volume=True))
+    assert path.outcome is Outcome.CONVERGED
+    assert path.limit is not None
+    assert path.limit.pressure == pytest.approx(17.04e3, abs=0.02e3)
+    volumes = np.array([e.volume / start for e in path.points])
+    assert volumes[-1] == pytest.approx(5.0, rel=1e-5)
+    back = np.flatnonzero(np.diff(volumes) < 0)
+    assert len(back) > 2
+    assert volumes[back[0]] == pytest.approx(3.45, abs=0.05)
+    assert path.by_arc > 10
+    # every step is small: nothing was jumped over
+    steps = np.diff([system.unknowns_of(e.state) for e in path.points], axis=0)
+    assert np.abs(steps).max() < 0.2 * 80e-3
+
+
+def test_suction_shrinks_the_cavity() -> None:
+    system = sphere(NeoHooke(4e4), 5e-3)
+    start = rest_volume(system)
+    by_pressure = reach(system, Goal.pressure(-10e3, [-5e3, -10e3]))
+    assert [e.pressure for e in by_pressure.points] == pytest.approx([0, -5e3, -10e3])
+    volumes = [e.volume for e in by_pressure.points]
+    assert volumes == sorted(volumes, reverse=True)
+    by_volume = reach(system, Goal(volumes[-1], by_volume=True))
+    assert by_volume.points[-1].pressure == pytest.approx(-10e3, rel=1e-3)
+    # p/mu = 2/lb + 1/(2 lb^4) - 2/la - 1/(2 la^4), lb^3 - 1 = (la^3 - 1)/8
+    la = (volumes[-1] / start) ** (1 / 3)
+    lb = (1 + (la**3 - 1) / 8) ** (1 / 3)
+    closed = 2 / lb + 1 / (2 * lb**4) - 2 / la - 1 / (2 * la**4)
+    assert pytest.approx(closed, rel=5e-3) == -10e3 / 4e4
+
+
+def test_a_goal_already_reached_adds_nothing() -> None:
+    system = sphere(NeoHooke(4e4), 5e-3, parts=1)
+    path = reach(system, Goal(rest_volume(system), by_volume=True))
+    assert len(path.points) == 1
+    assert path.outcome is Outcome.CONVERGED
