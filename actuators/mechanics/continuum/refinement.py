@@ -13,6 +13,7 @@ from actuators.mechanics.continuum.newton import (
     solve_equilibrium,
 )
 from actuators.mechanics.continuum.path import Path, PathFollower
+from actuators.mechanics.continuum.sheets import prolong_sheet_force
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.mechanics.response import Outcome
@@ -193,6 +194,7 @@ def _prolong(coarse: ContinuumSystem, fine: ContinuumSystem, state: State) -> St
     return State(
         prolong_nodes(coarse.mesh, fine.mesh) @ state.displacement,
         prolong_pressure(coarse.mesh, fine.mesh, state.pressure),
+        prolong_sheet_force(coarse.mesh, fine.mesh, state.sheet),
     )
 
 
@@ -202,4 +204,4 @@ def _hats(at: np.ndarray, where: float) -> np.ndarray:
 
 
 def _minus(a: State, b: State) -> State:
-    return State(a.displacement - b.displacement, a.pressure - b.pressure)
+    return a.moved(-1.0, b)
