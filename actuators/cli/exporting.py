@@ -4,7 +4,8 @@ from pathlib import Path
 
 import click
 
-from actuators.cli.reading import read_design, read_scene
+from actuators.cli.reading import read_accuracy, read_design, read_scene
+from actuators.cli.solving import Interruptible, show_progress
 from actuators.cli.studio import answer, json_option
 from actuators.cli.tables import table
 from actuators.errors import QuestionError
@@ -16,11 +17,13 @@ from actuators.errors import QuestionError
     "--what",
     required=True,
     metavar="KIND,...",
-    help="mould-svg, actuator-stl; for one scene: inp (Abaqus, CalculiX).",
+    help="mould-svg, actuator-stl; for one scene: inp (deck for Abaqus and CalculiX), vtu (solves, "
+    "then fields for ParaView).",
 )
 @click.option("--to", "folder", required=True, metavar="FOLDER", help="Folder to write into.")
 @click.option("--pressure", metavar="QUANTITY", help="End of the pressure path, such as 30kPa.")
 @click.option("--scene", "scene_file", metavar="FILE", help="Scene as a JSON file.")
+@click.option("--accuracy", metavar="PERCENT", help="Wanted accuracy of vtu, such as 2%.")
 @click.option(
     "--mesh",
     metavar="NAME|I,J,K",
@@ -38,6 +41,7 @@ def export(
     folder: str,
     pressure: str | None,
     scene_file: str | None,
+    accuracy: str | None,
     mesh: str | None,
     element: str,
     changes: tuple[str, ...],
@@ -51,9 +55,14 @@ def export(
     kinds = dict.fromkeys(kind.strip() for kind in what.split(","))
     # everything is made before anything is written: a bad kind leaves no half set of files
     question = None
-    if pressure is not None or scene_file is not None:
-        question = ModelQuestion(read_scene(pressure, scene_file, None), mesh, element)
-    made = {kind: write(chosen, kind, question) for kind in kinds}
+    with Interruptible() as interrupted:
+        if pressure is not None or scene_file is not None:
+            given = {} if accuracy is None else {"accuracy": read_accuracy(accuracy)}
+            question = ModelQuestion(
+                read_scene(pressure, scene_file, None), mesh, element,
+                progress=show_progress(), cancelled=interrupted, **given,
+            )  # fmt: skip
+        made = {kind: write(chosen, kind, question) for kind in kinds}
     target = Path(folder)
     written: list[tuple[str, str, int]] = []
     try:

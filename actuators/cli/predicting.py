@@ -1,23 +1,22 @@
 """The command that answers: how DESIGN moves under pressure."""
 
-import signal
-import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from actuators.cli.reading import read_design, read_scene
+from actuators.cli.reading import read_accuracy, read_design, read_scene
+from actuators.cli.solving import Interruptible, show_progress
 from actuators.cli.studio import answer, json_option
 from actuators.cli.tables import table
 from actuators.design import Design
 from actuators.errors import QuestionError
 from actuators.mechanics.response import PathPoint, Response
 from actuators.mechanics.scene import Scene
-from actuators.quantities import parse_number, parse_quantity
+from actuators.quantities import parse_number
 
 if TYPE_CHECKING:
-    from actuators.mechanics.continuum import Progress
+    pass
 
 RUNGS = ("closed-form", "energy", "fe")
 
@@ -28,6 +27,8 @@ RUNGS = ("closed-form", "energy", "fe")
 @click.option("--scene", "scene_file", metavar="FILE", help="Scene as a JSON file.")
 @click.option("--rung", default="energy", show_default=True, metavar="|".join(RUNGS), help="Model.")
 @click.option("--accuracy", metavar="PERCENT", help="Wanted accuracy, such as 2% (rung fe).")
+@click.option("--mesh", metavar="NAME|I,J,K", help="Mesh instead of an accuracy: coarse, medium, "
+              "fine, finest, or thin layers along X1, X2, X3 (rung fe).")  # fmt: skip
 @click.option(
     "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
 )
@@ -41,6 +42,7 @@ def predict(
     scene_file: str | None,
     rung: str,
     accuracy: str | None,
+    mesh: str | None,
     changes: tuple[str, ...],
     steps: int | None,
     constant: str | None,
@@ -50,7 +52,7 @@ def predict(
     """Predict how DESIGN (a preset or a JSON file) bends and twists under pressure."""
     chosen = read_design(design, changes)
     scene = read_scene(pressure, scene_file, steps)
-    response = _ask(chosen, scene, rung, accuracy, constant)
+    response = _ask(chosen, scene, rung, accuracy, mesh, constant)
     if as_json:
         answer(response.to_document())
     else:
@@ -58,19 +60,25 @@ def predict(
 
 
 def _ask(
-    design: Design, scene: Scene, rung: str, accuracy: str | None, constant: str | None
+    design: Design,
+    scene: Scene,
+    rung: str,
+    accuracy: str | None,
+    mesh: str | None,
+    constant: str | None,
 ) -> Response:
     if rung not in RUNGS:
         raise QuestionError(
             f"rung is {rung!r}; it must be one of {', '.join(RUNGS)}.",
             field="rung", value=rung, mend=f"Use one of {', '.join(RUNGS)}.",
         )  # fmt: skip
-    if accuracy is not None and rung != "fe":
-        raise QuestionError(
-            f"accuracy is {accuracy!r}, but the rung {rung} has no accuracy to choose. "
-            "Leave it out, or use --rung fe.",
-            field="accuracy", value=accuracy, mend="Leave it out, or use --rung fe.",
-        )  # fmt: skip
+    for field, given in (("accuracy", accuracy), ("mesh", mesh)):
+        if given is not None and rung != "fe":
+            raise QuestionError(
+                f"{field} is {given!r}, but the rung {rung} has no {field} to choose. "
+                "Leave it out, or use --rung fe.",
+                field=field, value=given, mend="Leave it out, or use --rung fe.",
+            )  # fmt: skip
     if constant is not None and rung != "energy":
         raise QuestionError(
             f"c is {constant!r}, but only the energy rung has this constant. "
@@ -78,7 +86,7 @@ def _ask(
             field="c", value=constant, mend="Leave it out, or use --rung energy.",
         )  # fmt: skip
     if rung == "fe":
-        return _solve(design, scene, accuracy)
+        return _solve(design, scene, accuracy, mesh)
     from actuators.mechanics.predict import predict
 
     return predict(design, scene, rung=rung, c=_constant(constant))
@@ -92,51 +100,14 @@ def _constant(text: str | None) -> Any:
     return parse_number(str(text), field="c")
 
 
-def _solve(design: Design, scene: Scene, accuracy: str | None) -> Response:
-    wanted = {}
+def _solve(design: Design, scene: Scene, accuracy: str | None, mesh: str | None) -> Response:
+    wanted: dict[str, Any] = {} if mesh is None else {"mesh": mesh}
     if accuracy is not None:
-        wanted["accuracy"] = parse_quantity(accuracy, "fraction", field="accuracy")
+        wanted["accuracy"] = read_accuracy(accuracy)
     from actuators.mechanics.continuum import solve
 
-    with _Interruptible() as interrupted:
-        return solve(design, scene, progress=_progress(), cancelled=interrupted, **wanted)
-
-
-class _Interruptible:
-    """While it lasts, the first Ctrl-C asks the solver to end with the path found so far; a second
-    one stops at once."""
-
-    def __enter__(self) -> Callable[[], bool]:
-        self._asked = False
-        self._before = signal.signal(signal.SIGINT, self._note)
-        return lambda: self._asked
-
-    def __exit__(self, *_: object) -> None:
-        signal.signal(signal.SIGINT, self._before)
-
-    def _note(self, *_: object) -> None:
-        if self._asked:
-            raise KeyboardInterrupt
-        self._asked = True
-        click.echo("Ending with what there is; Ctrl-C again stops at once.", err=True)
-
-
-def _progress() -> "Callable[[Progress], None]":
-    """Progress on standard error: one line that changes on a terminal, else a line per percent."""
-    on_terminal = sys.stderr.isatty()
-    last = -1
-
-    def tell(progress: "Progress") -> None:
-        nonlocal last
-        percent = int(100 * progress.fraction)
-        text = f"{percent:3d} %  {progress.message}"
-        if on_terminal:
-            click.echo(f"\r\033[K{text}", nl=percent >= 100, err=True)
-        elif percent > last:
-            click.echo(text, err=True)
-        last = percent
-
-    return tell
+    with Interruptible() as interrupted:
+        return solve(design, scene, progress=show_progress(), cancelled=interrupted, **wanted)
 
 
 _COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
@@ -149,6 +120,7 @@ _COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
     ("curvature/(1/m)", lambda p: p.to_document()["curvature_per_m"]),
     ("torsion/(1/m)", lambda p: p.to_document()["torsion_per_m"]),
     ("cavity/ml", lambda p: p.to_document()["cavity_volume_ml"]),
+    ("plate/N", lambda p: p.to_document()["plate_force_N"]),
     ("stretch", lambda p: p.to_document()["max_principal_stretch"]),
 )
 
@@ -163,7 +135,7 @@ def _print(response: Response) -> None:
     error = response.error_estimate
     click.echo(
         f"\nRung {response.rung}: {response.outcome.value}"
-        + ("" if error is None else f", estimated error {100 * error:.2g} %")
+        + ("" if error is None else f", estimated error {100 * error:.2g} %{_others(response)}")
         + f", {response.wall_s:.3g} s"
         + (f", {response.unknowns} unknowns" if response.unknowns else "")
     )
@@ -171,6 +143,18 @@ def _print(response: Response) -> None:
         click.echo(f"  {sentence}")
     for sentence in response.design.assumptions():
         click.echo(f"  Assumed: {sentence}")
+
+
+def _others(response: Response) -> str:
+    """Estimated errors of what is not the tip's displacement."""
+    named = {"angle": "turn", "force": "force", "volume": "cavity growth",
+             "limit_pressure": "limit pressure"}  # fmt: skip
+    each = [
+        f"{word} {100 * response.error_estimates[name]:.2g} %"
+        for name, word in named.items()
+        if name in response.error_estimates
+    ]
+    return f" ({', '.join(each)})" if each else ""
 
 
 def _rounded(value: float | None) -> float | None:

@@ -80,6 +80,11 @@ def read_scene(pressure: str | None, file: str | None, steps: int | None) -> Sce
     return Scene.from_document(document)
 
 
+def read_accuracy(text: str) -> float:
+    """``2%`` as a fraction."""
+    return parse_quantity(text, "fraction", field="accuracy")
+
+
 def read_json(path: str, *, field: str) -> dict[str, Any]:
     """An object of a JSON file; anything else raises :class:`InputError` about ``field``."""
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from actuators.materials import HyperelasticLaw, Ogden, Yeoh
+from actuators.materials import HyperelasticLaw, MooneyRivlin, Ogden, Yeoh
 from actuators.mechanics.continuum.kernel.shape import cube_shape, gauss_cube
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import SurfaceFields
@@ -37,22 +37,39 @@ class StrainRecovery:
 
     def at_points(self, state: State) -> tuple[np.ndarray, np.ndarray]:
         """Largest principal stretch and Cauchy stress [Pa] at the Gauss points, (m, 8) each."""
-        mesh = self._system.mesh
-        f = np.einsum("mni,mgjn->mgij", state.displacement[mesh.elements], self._gradients)
-        f += np.eye(3)
-        square = np.linalg.eigvalsh(np.swapaxes(f, -1, -2) @ f)
+        f = self._deformation(state)
+        stretch, stress = self._principal(state, np.linalg.eigvalsh(f @ np.swapaxes(f, -1, -2)))
+        return stretch.max(axis=-1), stress.max(axis=-1)
+
+    def tensors(self, state: State) -> tuple[np.ndarray, np.ndarray]:
+        """Principal stretches, largest first, (m, 8, 3), and the Cauchy stress [Pa] (m, 8, 6) as
+        11, 22, 33, 12, 23, 13, at the Gauss points."""
+        f = self._deformation(state)
+        square, axes = np.linalg.eigh(f @ np.swapaxes(f, -1, -2))
+        stretch, principal = self._principal(state, square)
+        stress = np.einsum("...ia,...a,...ja->...ij", axes, principal, axes)
+        return stretch[..., ::-1], stress[..., [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
+
+    def _deformation(self, state: State) -> np.ndarray:
+        at = state.displacement[self._system.mesh.elements]
+        return np.einsum("mni,mgjn->mgij", at, self._gradients) + np.eye(3)
+
+    def _principal(self, state: State, square: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Principal stretches and Cauchy stresses [Pa] from their squares (m, 8, 3)."""
         log = 0.5 * np.log(np.maximum(square, 1e-30))
         volume = log.sum(axis=-1, keepdims=True)
-        stress = np.einsum("gp,mp->mg", _PRESSURE, state.pressure)
+        stress = np.repeat((state.pressure @ _PRESSURE.T)[..., None], 3, axis=-1)
         for number, material in enumerate(self._system.materials):
-            own = mesh.region == number
+            own = self._system.mesh.region == number
             slope = _isochoric_slope(material.law, log[own] - volume[own] / 3)
-            stress[own] += (slope / np.exp(volume[own])).max(axis=-1)
-        return np.exp(log.max(axis=-1)), stress
+            stress[own] += slope / np.exp(volume[own])
+        return np.exp(log), stress
 
     def at_nodes(self, values: np.ndarray) -> np.ndarray:
-        """(m, 8) values at Gauss points to (n,) at nodes."""
+        """(m, 8) or (m, 8, c) values at Gauss points to (n,) or (n, c) at nodes."""
         mesh = self._system.mesh
+        if values.ndim == 3:
+            return np.stack([self.at_nodes(v) for v in np.moveaxis(values, -1, 0)], axis=-1)
         spread = values @ _EXTRAPOLATE.T
         total = np.bincount(mesh.elements.ravel(), spread.ravel(), minlength=len(mesh.nodes))
         return total / self._share
@@ -63,6 +80,12 @@ def _isochoric_slope(law: HyperelasticLaw, log: np.ndarray) -> np.ndarray:
     Cauchy stress."""
     if isinstance(law, Ogden):
         slope = sum((m * np.expm1(alpha * log) for m, alpha in law.work_terms), np.zeros_like(log))
+    elif isinstance(law, MooneyRivlin):
+        square, inverse = np.exp(2 * log), np.exp(-2 * log)
+        first, second = law.slopes(
+            square.sum(axis=-1, keepdims=True) - 3, inverse.sum(axis=-1, keepdims=True) - 3
+        )
+        slope = 2 * (first * square - second * inverse)
     else:
         square = np.exp(2 * log)
         x = square.sum(axis=-1, keepdims=True) - 3
