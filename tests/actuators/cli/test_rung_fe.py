@@ -70,6 +70,17 @@ def test_accuracy_is_a_fraction_for_the_solver(monkeypatch: pytest.MonkeyPatch) 
     assert solver.asked["scene"].pressure_to == pytest.approx(3e3)
 
 
+def test_a_mesh_is_passed_on_and_only_the_3d_rung_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    solver = Solver()
+    assert ask(monkeypatch, solver, "--mesh", "1,0,1").exit_code == 0
+    assert solver.asked["mesh"] == "1,0,1"
+    refused = CliRunner().invoke(
+        main, ["predict", "slab-rectangle-low", "--pressure", "3kPa", "--mesh", "fine"]
+    )
+    assert refused.exit_code != 0
+    assert "has no mesh to choose" in refused.stderr
+
+
 @pytest.mark.parametrize("outcome", [Outcome.LIMIT_POINT, Outcome.STALLED])
 def test_an_answer_that_ended_early_is_still_an_answer(
     monkeypatch: pytest.MonkeyPatch, outcome: Outcome

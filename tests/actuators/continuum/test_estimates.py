@@ -1,0 +1,147 @@
+"""Error estimates, and the meshes they lead to."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from actuators.design import preset
+from actuators.errors import QuestionError
+from actuators.geometry import build_body
+from actuators.mechanics.continuum import climb
+from actuators.mechanics.continuum.estimates import (
+    SAFETY,
+    Measured,
+    change,
+    estimates,
+    measure,
+)
+from actuators.mechanics.continuum.levels import LEVELS, LEVELS_WITH_GAPS, layers_of, levels_of
+from actuators.mechanics.continuum.path import PathFollower
+from actuators.mechanics.continuum.refinement import Anchor, Refinement
+from actuators.mechanics.continuum.solve import solve
+from actuators.mechanics.continuum.system import ContinuumSystem, clamped
+from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
+from actuators.mechanics.scene import Scene
+from actuators.meshing import mesh_body
+from benchmarks.mini_pneu_net import (
+    GRAVITY,
+    MATERIALS,
+    PRESSURE,
+    REFERENCE_TIP,
+    mini_pneu_net,
+)
+
+HERE = Measured(
+    tip=np.array([0.0, 0.0, -0.04]), angle=0.8, growth=2e-6, size=0.1, rest_volume=1e-5,
+    force=0.5, limit_pressure=10e3,
+)  # fmt: skip
+
+
+def test_changes_are_fractions_of_the_later_answer() -> None:
+    before = replace(
+        HERE, tip=np.array([0.003, 0.0, -0.036]), angle=0.76, growth=1.8e-6, force=0.45,
+        limit_pressure=11e3,
+    )  # fmt: skip
+    assert change(before, HERE) == pytest.approx(
+        {"tip": 0.125, "angle": 0.05, "volume": 0.1, "force": 0.1, "limit_pressure": 1 / 11}
+    )
+
+
+def test_a_body_that_hardly_turns_has_no_large_error_of_turning() -> None:
+    twisted = replace(HERE, angle=0.002)
+    assert change(replace(twisted, angle=0.001), twisted)["angle"] == pytest.approx(0.001 / 0.4)
+    still = replace(HERE, tip=np.zeros(3), angle=0.0)
+    assert change(still, still)["tip"] == 0.0
+
+
+def test_quantities_that_are_not_there_have_no_estimate() -> None:
+    free = replace(HERE, force=None, limit_pressure=None)
+    assert set(change(free, free)) == {"tip", "angle", "volume"}
+    assert "force" not in change(free, HERE), "no plate on one side, nothing to compare"
+
+
+def test_directions_that_were_not_refined_owe_as_much_again() -> None:
+    for layers, owed in (((1, 0, 0), 3), ((1, 0, 1), 2), ((1, 1, 1), 1), ((2, 2, 2), 1)):
+        assert estimates({"tip": 0.01}, layers)["tip"] == pytest.approx(0.01 * SAFETY * owed)
+
+
+def test_estimates_are_not_below_the_true_error_of_the_mini_pneu_net() -> None:
+    def open_layers(layers: tuple[int, int, int]) -> tuple[ContinuumSystem, SymmetricSolver]:
+        mesh = mesh_body(mini_pneu_net().half(), layers=layers)
+        system = ContinuumSystem(mesh, MATERIALS, free=clamped(mesh), gravity=GRAVITY)
+        return system, open_solver(system.indptr, system.indices)
+
+    system, solver = open_layers((0, 0, 0))
+    path = PathFollower(system, solver).follow(PRESSURE, None)
+    at = Anchor(system, path.points[-1])
+    for layers in ((1, 0, 0), (1, 0, 1), (1, 1, 1)):
+        fine, solver = open_layers(layers)
+        finer = Refinement(system, fine, solver, path).anchor(at)
+        assert finer is not None
+        last = change(measure(at.system, at.found), measure(finer.system, finer.found))
+        down = -measure(finer.system, finer.found).tip[2]
+        true = abs(down / REFERENCE_TIP - 1)
+        assert true < estimates(last, layers)["tip"] < 8 * true
+        at = finer
+
+
+def test_the_accuracy_asked_for_chooses_the_mesh() -> None:
+    design, scene = preset("slab-rectangle-low").design, Scene(3e3)
+    rough = solve(design, scene, accuracy=0.1)
+    better = solve(design, scene, accuracy=0.025)
+    assert better.unknowns > rough.unknowns
+    for response, accuracy in ((rough, 0.1), (better, 0.025)):
+        errors = response.error_estimates
+        assert errors["tip"] == response.error_estimate
+        assert max(errors["tip"], errors["angle"]) <= accuracy
+        assert errors["volume"] > 0
+        assert not any("was not reached" in note for note in response.notes)
+    change_of_tip = np.linalg.norm(
+        np.subtract(rough.path[-1].tip_displacement, better.path[-1].tip_displacement)
+    ) / np.linalg.norm(better.path[-1].tip_displacement)
+    assert change_of_tip < rough.error_estimates["tip"]
+
+
+def test_a_mesh_that_is_asked_for_is_taken() -> None:
+    design, scene = preset("slab-rectangle-low").design, Scene(2e3)
+    coarse = solve(design, scene, mesh="coarse")
+    assert coarse.error_estimates == {}
+    assert coarse.error_estimate is None
+    assert any("no error estimate" in note for note in coarse.notes)
+    medium = solve(design, scene, mesh="medium", accuracy=1e-4)
+    assert medium.unknowns == solve(design, scene, mesh="1,0,0").unknowns > coarse.unknowns
+    assert not any("was not reached" in note for note in medium.notes)
+
+
+def test_points_between_solved_ones_are_as_good_as_solved() -> None:
+    design, scene = preset("slab-rectangle-low").design, Scene(4e3)
+    quick = solve(design, scene, mesh=(1, 0, 0), accuracy=0.05)
+    thorough = solve(design, scene, mesh=(1, 0, 0), accuracy=1e-4)
+    assert any("interpolated" in note for note in quick.notes)
+    tips = np.array([[p.tip for p in r.path] for r in (quick, thorough)])
+    travel = np.linalg.norm(thorough.path[-1].tip_displacement)
+    assert np.abs(tips[0] - tips[1]).max() < 0.05 / 10 * travel
+
+
+def test_a_mesh_too_large_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(climb, "MOST_UNKNOWNS", 12_000)
+    response = solve(preset("slab-rectangle-low").design, Scene(2e3), accuracy=0.001)
+    assert 0 < response.unknowns <= 12_000
+    assert any("was not reached" in n and "more than this version" in n for n in response.notes)
+
+
+def test_meshes_have_names_and_layers() -> None:
+    slab = build_body(preset("slab-rectangle-low").design)
+    oblique = build_body(preset("oblique-45").design)
+    assert levels_of(slab) == LEVELS
+    assert levels_of(oblique) == LEVELS_WITH_GAPS
+    for body in (slab, oblique):
+        ladder = levels_of(body)
+        assert layers_of(body, "coarse") == ladder[0]
+        assert layers_of(body, "finest") == ladder[-1]
+        assert layers_of(body, " 1, 0,2") == layers_of(body, (1, 0, 2)) == (1, 0, 2)
+    for bad in ("huge", "1,1", "1,1,9", (0, 0, 7)):
+        with pytest.raises(QuestionError) as caught:
+            layers_of(slab, bad)
+        assert caught.value.field == "mesh"
