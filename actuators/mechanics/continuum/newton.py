@@ -5,13 +5,17 @@ shorter than (1 - f/4) of the correction itself; a full step under a more lenien
 simplified correction shrinks well it is added, and the old tangent is used again while that pays: a
 residual costs a tenth of a factorisation.
 
+A few full steps that bring surfaces into contact, or apart, are taken although the correction
+grows: the old tangent knew nothing of them, the next one does. Where that comes to nothing, the
+surfaces are made softer first, and then harder again from state to state.
+
 Either the cavity pressure is given, or it is one more unknown and something else is: the cavity's
 volume, which passes a pressure's limit points, or a plane across the path, which passes those of
 the volume too.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +32,11 @@ MONOTONE = 0.75
 """The natural monotonicity test for full steps too: from a coarser mesh's answer, where nothing
 turns, it is the safer rule."""
 NEGLIGIBLE = 1e-3
+MOST_CONTACT_CHANGES = 4
+"""Steps taken because contact changed; they do not count as iterations."""
+SOFTNESS = (30.0, 6.0, 1.0)
+"""How much softer than they are the surfaces are made, one after the other, where Newton's method
+fails with them as they are."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +57,7 @@ class Failure:
 
     reason: str
     iterations: int
+    in_contact: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,15 +92,53 @@ def solve_equilibrium(
 ) -> Equilibrium | Failure:
     """Equilibrium near ``start``. ``tolerance``: largest displacement correction over the body's
     size."""
+
+    def attempt(start: State, target: Target) -> Equilibrium | Failure:
+        return _newton(
+            system, solver, start, target, tolerance, most_iterations, lenience, cancelled
+        )
+
+    found = attempt(start, target)
+    if isinstance(found, Equilibrium) or not found.in_contact:
+        return found
+    spent = found.iterations
+    try:
+        for softness in SOFTNESS:
+            system.soften(softness)
+            found = attempt(start, target)
+            spent += found.iterations
+            if isinstance(found, Failure):
+                break
+            start = found.state
+            if target.volume is not None or target.plane is not None:
+                target = replace(target, pressure=found.pressure)
+    finally:
+        system.soften(1.0)
+    return replace(found, iterations=spent)
+
+
+def _newton(
+    system: ContinuumSystem,
+    solver: SymmetricSolver,
+    start: State,
+    target: Target,
+    tolerance: float,
+    most_iterations: int,
+    lenience: float,
+    cancelled: Callable[[], bool] | None,
+) -> Equilibrium | Failure:
     size = float(np.ptp(system.mesh.nodes, axis=0).max())
     state, pressure = start, target.pressure
-    iterations = 0
-    while iterations < most_iterations:
+    iterations = changes = 0
+    met = False
+    while iterations < most_iterations + changes:
         if cancelled is not None and cancelled():
             return Failure("cancelled", iterations)
         balance = system.linearise(state, pressure, loads=target.loads)
         if not balance.admissible:
             return Failure("an element is turned inside out", iterations)
+        touches = balance.touches
+        met = met or any(touch.points for touch in touches)
         iterations += 1
         try:
             system.factorize(solver)
@@ -111,9 +159,13 @@ def solve_equilibrium(
                 slack = lenience if factor == 1.0 else 1 - factor / 4
                 if rest <= slack * length or rest <= NEGLIGIBLE * tolerance * size:
                     break
+                changed = factor == 1.0 and balance.touches != touches
+                if changed and changes < MOST_CONTACT_CHANGES:
+                    changes += 1
+                    break
             factor /= 2
             if factor < SMALLEST_FACTOR:
-                return Failure("the correction does not shrink", iterations)
+                return Failure("the correction does not shrink", iterations, met)
         state, pressure = trial, trial_pressure
         negligible = NEGLIGIBLE * tolerance * size
         while factor == 1.0 and rest <= max(TRUSTED_CONTRACTION * length, negligible):
@@ -128,7 +180,7 @@ def solve_equilibrium(
             length = rest
             again, dp_again = border.correction(state, balance)
             rest = _length(system, again)
-    return Failure(f"not converged in {most_iterations} iterations", iterations)
+    return Failure(f"not converged in {most_iterations} iterations", iterations, met)
 
 
 class _Border:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from actuators.materials import Material
-from actuators.mechanics.continuum.contact import Interaction, Tangent
+from actuators.mechanics.continuum.contact import Interaction, Tangent, Touch
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.kernel.cavity import cavity_volume
 from actuators.mechanics.continuum.kernel.condense import (
@@ -55,12 +55,14 @@ class State:
 class Balance:
     """Out-of-balance forces: ``residual`` (n, 3) [N], ``inner`` (m, 4) [m3], ``sheet`` (f, 6):
     stretch of a sheet less what its force accounts for; ``admissible`` is
-    False where an element is turned inside out."""
+    False where an element is turned inside out, or surfaces are too far inside each other to
+    know where they met. ``touches``: what each interaction found."""
 
     residual: np.ndarray
     inner: np.ndarray
     sheet: np.ndarray
     admissible: bool
+    touches: tuple[Touch, ...] = ()
 
 
 class ContinuumSystem:
@@ -118,6 +120,11 @@ class ContinuumSystem:
                 self._coupled.update(nodes.tobytes() for nodes in new)
                 more = node_neighbours(np.array(new), len(positions))
                 self._lay_out(merge_neighbours(*self._neighbours, *more))
+
+    def soften(self, factor: float) -> None:
+        """Make all surfaces this much softer against each other than they are."""
+        for interaction in self.interactions:
+            interaction.soften(factor)
 
     def factorize(self, solver: SymmetricSolver) -> None:
         """Factorise the tangent last filled; a pattern widened since is adopted first."""
@@ -189,11 +196,11 @@ class ContinuumSystem:
             )  # fmt: skip
         self._add_outer_loads(positions, loads, residual, tangent=tangent)
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
-        if sound:
-            matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
-            for interaction in self.interactions:
-                interaction.add(positions, residual, matrix)
-        return Balance(residual, inner, gap, sound)
+        if not sound:
+            return Balance(residual, inner, gap, False)
+        matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
+        touches = tuple(i.add(positions, residual, matrix) for i in self.interactions)
+        return Balance(residual, inner, gap, not any(t.blind for t in touches), touches)
 
     def _add_outer_loads(
         self, positions: np.ndarray, share: float, residual: np.ndarray, *, tangent: bool

@@ -16,6 +16,16 @@ class Tangent:
     values: np.ndarray
 
 
+@dataclass(frozen=True)
+class Touch:
+    """What an interaction found: ``points`` names the Gauss points that are pressed (equal where
+    the same ones are); ``blind`` says that surfaces ran so far into each other that the
+    interaction may no longer see all of it."""
+
+    points: bytes = b""
+    blind: bool = False
+
+
 class Interaction(Protocol):
     """Forces with a potential that depends on node positions only. Far from touching, an
     interaction does no more than find that out."""
@@ -25,7 +35,17 @@ class Interaction(Protocol):
         of common elements; k is 0 where there are none."""
         ...
 
-    def add(self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None) -> None:
+    def add(self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None) -> Touch:
         """Add the potential's gradient to ``residual`` (n, 3) [N] and, if asked for, its second
         derivatives to ``tangent``."""
+        ...
+
+    def soften(self, factor: float) -> None:
+        """Press this much less for a given penetration, and from this much farther off; 1 is the
+        contact as it is."""
+        ...
+
+    def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
+        """(n,) contact pressure [Pa] at the nodes, per area as it is at ``positions``; 0 where
+        nothing touches."""
         ...

@@ -1,0 +1,97 @@
+"""A rigid, frictionless obstacle that the outside of the body presses against."""
+
+import numpy as np
+
+from actuators.mechanics.continuum.contact.interaction import Tangent, Touch
+from actuators.mechanics.continuum.contact.surface import (
+    ContactLaw,
+    ContactSurface,
+    law_pressure,
+)
+from actuators.mechanics.continuum.kernel.contact import CYLINDER, PLANE, add_rigid
+from actuators.mechanics.obstacles import Cylinder, Plate
+
+_NO_DOF = np.empty((0, 3), dtype=np.int32)
+_NO_INDEX = np.empty(0, dtype=np.int32)
+_NO_VALUES = np.empty(0)
+_NO_COUPLES = np.empty((0, 9), dtype=np.int32)
+
+
+class Obstacle:
+    """Contact of ``surface`` with a plate or a cylinder. The force acts on it along the obstacle's
+    normal."""
+
+    def __init__(
+        self, surface: ContactSurface, law: ContactLaw, obstacle: Plate | Cylinder
+    ) -> None:
+        self.obstacle = obstacle
+        self._surface, self._hard, self._law = surface, law, law
+        self._deepest = np.inf
+        if isinstance(obstacle, Plate):
+            normal = np.array(obstacle.normal)
+            offset = float((surface.nodes @ normal).min()) - obstacle.gap
+            self._kind, self._shape = PLANE, np.append(normal, offset)
+        else:
+            axis, centre = np.array(obstacle.axis), np.array(obstacle.centre)
+            self._kind = CYLINDER
+            self._shape = np.concatenate([axis, centre, [obstacle.radius]])
+            self._deepest = 0.5 * obstacle.radius
+
+    def couples(self, positions: np.ndarray) -> np.ndarray:
+        """None: an obstacle couples no nodes but those of one face."""
+        return _NO_COUPLES
+
+    def add(self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None) -> Touch:
+        """See :class:`Interaction`."""
+        if self._distance(positions).min() > self._law.onset:
+            return Touch()
+        gaps = self._press(positions, residual, tangent)
+        pressed = gaps < self._law.onset
+        points = pressed.tobytes() if pressed.any() else b""
+        return Touch(points, bool(gaps.min() < -self._deepest))
+
+    def gaps(self, positions: np.ndarray) -> np.ndarray:
+        """(f, 9) distance [m] of the Gauss points, negative inside."""
+        return self._press(positions, np.zeros_like(positions), None)
+
+    def force(self, positions: np.ndarray) -> np.ndarray:
+        """(3,) resultant on the obstacle [N]; that of the half for a half model."""
+        residual = np.zeros_like(positions)
+        self._press(positions, residual, None)
+        return residual.sum(axis=0)
+
+    def largest_pressure(self, positions: np.ndarray) -> float:
+        """Largest contact pressure at a Gauss point [Pa], per undeformed area."""
+        return float(law_pressure(self.gaps(positions), self._law).max())
+
+    def soften(self, factor: float) -> None:
+        """See :class:`Interaction`."""
+        self._law = self._hard.softened(factor)
+
+    def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
+        """See :class:`Interaction`."""
+        return self._surface.nodal(positions, self.gaps(positions), self._law)
+
+    def _distance(self, positions: np.ndarray) -> np.ndarray:
+        """(m,) distance of the surface's nodes, less what a face may bulge beyond its nodes."""
+        x = positions[self._surface.faces]
+        bulge = np.ptp(x, axis=1).max()
+        x = x.reshape(-1, 3)
+        if self._kind == PLANE:
+            return x @ self._shape[:3] - self._shape[3] - bulge
+        apart = x - self._shape[3:6]
+        apart = apart - np.outer(apart @ self._shape[:3], self._shape[:3])
+        return np.linalg.norm(apart, axis=1) - self._shape[6] - bulge
+
+    def _press(
+        self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None
+    ) -> np.ndarray:
+        surface, law = self._surface, self._law
+        gaps = np.empty(surface.faces.shape)
+        into = tangent or Tangent(_NO_DOF, _NO_INDEX, _NO_INDEX, _NO_VALUES)
+        add_rigid(
+            positions, surface.faces, surface.areas, self._kind, self._shape, law.stiffness,
+            law.onset, residual, tangent is not None, into.dof, into.indptr, into.indices,
+            into.values, gaps,
+        )  # fmt: skip
+        return gaps

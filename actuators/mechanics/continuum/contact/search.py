@@ -1,0 +1,52 @@
+"""Which faces can touch each other: pairs that face each other and are near."""
+
+import numpy as np
+from scipy.spatial import KDTree
+
+OPPOSED = -0.2
+"""Largest product of the unit normals of two faces that can touch."""
+LEVEL = -1e-6
+"""How far behind each other's plane, over their distance, two faces of the undeformed body may lie:
+what lies further behind is the other side of the same wall."""
+FAR = 2.0
+"""Distance along the undeformed body [its height] beyond which faces may meet whatever their
+places were: by curling up."""
+
+
+def frames(positions: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Middle (f, 3), unit normal (f, 3) and radius (f,) of faces (f, 9)."""
+    x = positions[faces]
+    middle = x[:, 4]
+    normal = np.cross(x[:, 8] - x[:, 0], x[:, 6] - x[:, 2])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    radius = np.linalg.norm(x - middle[:, None], axis=2).max(axis=1)
+    return middle, normal, radius
+
+
+class PairSearch:
+    """Pairs of ``faces`` (f, 9) of a body undeformed at ``nodes`` (n, 3) with this ``height``."""
+
+    def __init__(self, nodes: np.ndarray, faces: np.ndarray, height: float) -> None:
+        self._faces, self._far = faces, FAR * height
+        self._middle, self._normal, _ = frames(nodes, faces)
+
+    def near(self, positions: np.ndarray, reach: float) -> np.ndarray:
+        """(k, 2) pairs whose enclosing spheres are closer than ``reach``; each once, in order."""
+        middle, normal, radius = frames(positions, self._faces)
+        tree = KDTree(middle)
+        pairs = tree.query_pairs(2 * float(radius.max()) + reach, output_type="ndarray")
+        a, b = pairs.T
+        close = np.linalg.norm(middle[a] - middle[b], axis=1) < radius[a] + radius[b] + reach
+        close &= np.einsum("ki,ki->k", normal[a], normal[b]) < OPPOSED
+        pairs = pairs[close]
+        return pairs[self._may_touch(pairs)]
+
+    def _may_touch(self, pairs: np.ndarray) -> np.ndarray:
+        """Whether nothing but air was between two faces, and they share no node."""
+        a, b = pairs.T
+        apart = self._middle[b] - self._middle[a]
+        distance = np.linalg.norm(apart, axis=1)
+        before = np.einsum("ki,ki->k", apart, self._normal[a]) > LEVEL * distance
+        before &= np.einsum("ki,ki->k", -apart, self._normal[b]) > LEVEL * distance
+        common = (self._faces[a][:, :, None] == self._faces[b][:, None, :]).any(axis=(1, 2))
+        return (before | (distance > self._far)) & ~common

@@ -1,0 +1,73 @@
+"""The outside of a mesh as contact sees it, and how hard it is."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from actuators.materials import Material
+from actuators.mechanics.continuum.kernel.contact import face_areas
+from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
+from actuators.meshing import HexMesh
+
+TOLERANCE = 1e-4
+"""Penetration [body sizes] at a contact pressure equal to the largest shear modulus."""
+ONSET = 0.5 * TOLERANCE
+"""Distance [body sizes] at which contact pressure begins."""
+
+
+@dataclass(frozen=True)
+class ContactLaw:
+    """Contact pressure over distance: ``stiffness`` [Pa/m] below -``onset`` [m], none above
+    ``onset``, a parabola in between."""
+
+    stiffness: float
+    onset: float
+
+    def softened(self, factor: float) -> "ContactLaw":
+        """As much softer, beginning as much farther off."""
+        return ContactLaw(self.stiffness / factor, self.onset * factor)
+
+
+def contact_law(mesh: HexMesh, materials: Sequence[Material]) -> ContactLaw:
+    """So hard that a pressure of the stiffest rubber's shear modulus presses the surfaces
+    :data:`TOLERANCE` of the body's size into each other."""
+    size = float(np.ptp(mesh.nodes, axis=0).max())
+    modulus = max(material.shear_modulus for material in materials)
+    return ContactLaw(modulus / (TOLERANCE * size), ONSET * size)
+
+
+@dataclass(frozen=True, eq=False)
+class ContactSurface:
+    """``faces`` (f, 9) nodes, right-handed about the outward normal; ``areas`` (f, 9) [m2] of their
+    Gauss points, undeformed; ``nodes`` (n, 3) of the mesh, undeformed."""
+
+    nodes: np.ndarray
+    faces: np.ndarray
+    areas: np.ndarray
+
+    def nodal(self, positions: np.ndarray, gaps: np.ndarray, law: ContactLaw) -> np.ndarray:
+        """(n,) contact pressure [Pa] of distances ``gaps`` (f, 9) at the Gauss points, averaged to
+        the nodes and referred to the area as it is now."""
+        load = law_pressure(gaps, law) * self.areas
+        now = face_areas(positions, self.faces)
+        total, share = np.zeros(len(positions)), np.zeros(len(positions))
+        weight = np.abs(SQUARE_VALUES)
+        np.add.at(total, self.faces, load @ weight)
+        np.add.at(share, self.faces, now @ weight)
+        return np.divide(total, share, out=np.zeros_like(total), where=share > 0)
+
+
+def law_pressure(gaps: np.ndarray, law: ContactLaw) -> np.ndarray:
+    """Contact pressure [Pa] at distances ``gaps`` [m]."""
+    soft = law.stiffness * (law.onset - np.minimum(gaps, law.onset)) ** 2 / (4 * law.onset)
+    return np.where(gaps <= -law.onset, -law.stiffness * gaps, soft)
+
+
+def outside(mesh: HexMesh) -> ContactSurface:
+    """The faces that can touch something: all outer ones but those on the clamp."""
+    clamp = np.zeros(len(mesh.nodes), dtype=bool)
+    clamp[mesh.clamp_nodes] = True
+    faces = mesh.outer_faces.nodes
+    faces = np.ascontiguousarray(faces[~clamp[faces].all(axis=1)], dtype=np.int64)
+    return ContactSurface(mesh.nodes, faces, face_areas(mesh.nodes, faces))

@@ -1,0 +1,82 @@
+"""Rigid plate and cylinder: Hertz' contact, force balance, no contact where nothing is near."""
+
+import numpy as np
+import pytest
+
+from actuators.mechanics.continuum.contact import Obstacle, contact_law, outside
+from actuators.mechanics.obstacles import Cylinder, Plate
+from actuators.meshing import HexMesh, mesh_body
+from tests.actuators.contact.pressed import MU, RUBBER, Place, box, press, reaction, straight
+
+WIDE, HIGH, THICK, RADIUS = 24e-3, 12e-3, 1e-3, 20e-3
+
+
+def pressed_in_plane_strain(mesh: HexMesh, obstacle: Plate | Cylinder, depth: float):
+    """Push the block's far side by ``depth`` towards the obstacle below it."""
+    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), obstacle)
+    free = np.ones((len(mesh.nodes), 3), dtype=bool)
+    free[:, 1] = False
+    top = mesh.on_last_plane(2)
+    free[top] = False
+    moved = np.zeros_like(mesh.nodes)
+    moved[top, 2] = -depth
+    system, state = press(mesh, free, moved, [contact], steps=2)
+    return contact, mesh.nodes + state.displacement, reaction(system, state, top)
+
+
+def fine_below(place: Place = straight) -> HexMesh:
+    """A block with small elements at the middle of its underside."""
+    lines = [0.0, 8e-3, 10e-3, 14e-3, 16e-3, WIDE]
+    body = box((WIDE, THICK, HIGH), place)
+    body = type(body)(
+        (np.array(lines), body.lines[1], np.array([0.0, 2e-3, 5e-3, HIGH])),
+        np.zeros((5, 1, 3), np.int8), body.regions, body.place, False,
+    )  # fmt: skip
+    return mesh_body(body, uniform=((2, 2, 16, 2, 2), 1, (6, 3, 2)))
+
+
+def bulging(lattice: np.ndarray) -> np.ndarray:
+    """Underside of radius RADIUS, lowest in the middle."""
+    x, y, z = np.moveaxis(np.asarray(lattice, dtype=float), -1, 0)
+    sag = RADIUS - np.sqrt(RADIUS**2 - (x - WIDE / 2) ** 2)
+    return np.stack([x, y, z + sag * (1 - z / HIGH)], axis=-1)
+
+
+@pytest.mark.parametrize("shape", ["round block on a plate", "block on a cylinder"])
+def test_line_contact_is_that_of_hertz(shape: str) -> None:
+    if shape == "block on a cylinder":
+        mesh = fine_below()
+        obstacle = Cylinder(RADIUS, (WIDE / 2, 0.0, -RADIUS - 1e-6), (0.0, 1.0, 0.0))
+    else:
+        mesh, obstacle = fine_below(bulging), Plate(1e-6)
+    contact, positions, pushed = pressed_in_plane_strain(mesh, obstacle, 0.12e-3)
+    force = contact.force(positions)
+    assert force == pytest.approx(pushed, abs=1e-5 * np.abs(force).max())
+    line_load = -force[2] / THICK
+    # Johnson, Contact Mechanics, eq. 4.45: p0^2 = P' E* / (pi R), E* = E / (1 - nu^2) = 4 mu
+    expected = np.sqrt(line_load * 4 * MU / (np.pi * RADIUS))
+    half_width = np.sqrt(4 * line_load * RADIUS / (np.pi * 4 * MU))
+    assert 1e-3 < half_width < 2e-3
+    assert contact.largest_pressure(positions) == pytest.approx(expected, rel=0.03)
+    assert contact.gaps(positions).min() > -1e-4 * WIDE
+
+
+def test_an_obstacle_out_of_reach_changes_nothing() -> None:
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)))
+    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), Plate(5e-3))
+    residual = np.zeros_like(mesh.nodes)
+    assert contact.add(mesh.nodes, residual, None).points == b""
+    assert not residual.any()
+    assert contact.contact_pressure(mesh.nodes).max() == 0.0
+
+
+def test_uniform_pressure_at_the_nodes() -> None:
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(3, 2, 2))
+    law = contact_law(mesh, [RUBBER])
+    contact = Obstacle(outside(mesh), law, Plate(0.0))
+    sunk = mesh.nodes - [0.0, 0.0, 2 * law.onset]
+    pressure = contact.contact_pressure(sunk)
+    below = np.isclose(mesh.nodes[:, 2], 0.0) & (mesh.nodes[:, 0] > 0)
+    inside = below & (mesh.nodes[:, 0] < 10e-3) & (abs(mesh.nodes[:, 1]) < 4.9e-3)
+    assert pressure[inside] == pytest.approx(2 * law.onset * law.stiffness)
+    assert contact.force(sunk)[2] == pytest.approx(-2 * law.onset * law.stiffness * 1e-4, rel=1e-9)
