@@ -3,7 +3,7 @@
 import json
 import threading
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -15,7 +15,8 @@ from actuators.design import Design, parse_design
 from actuators.errors import QuestionError
 from actuators.geometry import build_body
 from actuators.geometry.surface import body_surface, edge_for
-from actuators.mechanics.response import Centreline
+from actuators.mechanics.obstacles import Cylinder, Plate
+from actuators.mechanics.response import Centreline, Response
 from actuators.mechanics.scene import Scene
 from backend.simulations.instant import answer_in_part
 from backend.viewer.schemas import Colour
@@ -33,13 +34,17 @@ _BYTES_A_VERTEX = 34
 @dataclass(frozen=True, eq=False)
 class Film:
     """What a source gives to be shown, SI: points of every frame (k, n, 3) on a skin, values per
-    point (k, n) by colour, and the pressure of every frame (k,)."""
+    point (k, n) by colour, pressure and cavity volume (NaN where unknown) of every frame (k,), and
+    the obstacles of its scene."""
 
     skin: Skin
     ghost: Skin
     points: np.ndarray
     values: dict[Colour, np.ndarray]
     pressures: np.ndarray
+    volumes: np.ndarray
+    plate: Plate | None
+    cylinder: Cylinder | None
 
 
 class Shelf:
@@ -70,12 +75,23 @@ def instant_film(design: Design, scene: Scene, stamp: Callable[[str], None]) -> 
     stamp("solve")
     _skins(design)
     stamp("surface")
-    film = _rod_film(design, response.centreline, np.array([p.pressure for p in response.path]))
+    pressures = np.array([p.pressure for p in response.path])
+    film = _rod_film(design, scene, response.centreline, pressures, _volumes(response))
     stamp("sweep")
     return film
 
 
-def _rod_film(design: Design, rod: Centreline | None, pressures: np.ndarray) -> Film:
+def _volumes(response: Response) -> np.ndarray:
+    return np.array([np.nan if p.cavity_volume is None else p.cavity_volume for p in response.path])
+
+
+def _rod_film(
+    design: Design,
+    scene: Scene,
+    rod: Centreline | None,
+    pressures: np.ndarray,
+    volumes: np.ndarray,
+) -> Film:
     if rod is None:
         raise QuestionError(
             "This answer has neither a surface nor a centreline to show.", field="source",
@@ -85,15 +101,24 @@ def _rod_film(design: Design, rod: Centreline | None, pressures: np.ndarray) -> 
     which = chosen_frames(len(pressures), MOST_FRAMES)
     points = swept(body.points, rod, which)
     moved = np.linalg.norm(points - body.points, axis=-1)
-    return Film(body, ghost, points, {"displacement": moved}, pressures[which])
+    return Film(
+        body, ghost, points, {"displacement": moved}, pressures[which], volumes[which],
+        scene.plate, scene.cylinder,
+    )  # fmt: skip
 
 
-def stored_film(artifact: bytes, design: Design) -> Film:
-    """Stored fields of a finite-element answer; a half model is completed by its mirror image."""
+def stored_film(
+    artifact: bytes, design: Design, scene: Scene, volumes_ml: Sequence[float | None]
+) -> Film:
+    """Stored fields of a finite-element answer; a half model is completed by its mirror image.
+
+    ``volumes_ml``: of the cavity at every path point [ml], as the answer's document has them.
+    """
     arrays = unpack(artifact)
     fields, pressures = arrays.surface, arrays.pressures
+    volumes = np.array([np.nan if v is None else v * 1e-6 for v in volumes_ml])
     if fields is None:
-        return _rod_film(design, arrays.centreline, pressures)
+        return _rod_film(design, scene, arrays.centreline, pressures, volumes)
     vertices = fields.vertices.astype(np.float64)
     triangles = fields.triangles.astype(np.int64)
     mirrored = build_body(design).symmetric and bool(vertices[:, 1].min() > -1e-6)
@@ -113,7 +138,10 @@ def stored_film(artifact: bytes, design: Design) -> Film:
     body = skin(vertices, _outside(vertices, triangles))
     points = body.points + moved[:, body.source]
     values = {name: v[:, body.source] for name, v in values.items()}
-    return Film(body, skin(vertices, triangles), points, values, pressures[which])
+    return Film(
+        body, skin(vertices, triangles), points, values, pressures[which], volumes[which],
+        scene.plate, scene.cylinder,
+    )  # fmt: skip
 
 
 def chosen_frames(found: int, most: int) -> np.ndarray:

@@ -7,6 +7,7 @@ import numpy as np
 from backend.viewer import colour_maps
 from backend.viewer.film import Film
 from backend.viewer.glb import coloured_body
+from backend.viewer.obstacles import cylinder_mesh, obstacle_glb, plate_mesh
 from backend.viewer.room import Bodies
 from backend.viewer.schemas import Colour, Legend
 from backend.viewer.shading import PLAIN, palette, vertex_colours
@@ -46,6 +47,7 @@ class Picture:
     colours: list[Colour]
     legend: Legend | None
     pressures: np.ndarray
+    volumes: np.ndarray
     vertices: int
 
 
@@ -71,14 +73,33 @@ def picture(film: Film, colour: Colour, *, undeformed: bool) -> Picture:
         low[axis] = min(low[axis], points[..., axis].min())
         high[axis] = max(high[axis], points[..., axis].max())
     root = undeformed_points[undeformed_points[:, 0] < undeformed_points[:, 0].min() + 0.1]
+    box = np.stack([low, high]).astype(float)
+    obstacles, box = _obstacles(film, undeformed_points, box)
     bodies = Bodies(
         frames=frames,
         undeformed=_ghost(film.ghost) if undeformed else None,
-        box=np.stack([low, high]).astype(float),
+        obstacles=obstacles,
+        box=box,
         clamp=np.stack([root[:, 1:].min(axis=0), root[:, 1:].max(axis=0)]),
     )
     available: list[Colour] = [name for name in _SCALES if name in film.values]
-    return Picture(bodies, used, [*available, "none"], legend, film.pressures, points.shape[1])
+    return Picture(
+        bodies, used, [*available, "none"], legend, film.pressures, film.volumes, points.shape[1]
+    )
+
+
+def _obstacles(
+    film: Film, undeformed: np.ndarray, box: np.ndarray
+) -> tuple[list[bytes], np.ndarray]:
+    """GLBs of the scene's obstacles, and the box (2, 3) [mm] that holds them as well."""
+    meshes = []
+    if film.plate is not None:
+        meshes.append(plate_mesh(film.plate, undeformed, box))
+    if film.cylinder is not None:
+        meshes.append(cylinder_mesh(film.cylinder, box))
+    for points, _, _ in meshes:
+        box = np.stack([np.minimum(box[0], points.min(0)), np.maximum(box[1], points.max(0))])
+    return [obstacle_glb(*mesh) for mesh in meshes], box
 
 
 def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:

@@ -30,10 +30,12 @@ class _Take:
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """What to show: GLBs in mm, one per frame, and the box around all of them (2, 3) [mm]."""
+    """What to show: GLBs in mm, one per frame and one per obstacle, and the box around all of them
+    (2, 3) [mm]."""
 
     frames: list[bytes]
     undeformed: bytes | None
+    obstacles: list[bytes]
     box: np.ndarray
     clamp: np.ndarray
 
@@ -127,6 +129,8 @@ class Room:
             frames[k].visible = False
         if bodies.undeformed is not None:
             self._add(f"{parent.name}/undeformed", bodies.undeformed)
+        for k, obstacle in enumerate(bodies.obstacles):
+            self._add(f"{parent.name}/obstacle{k}", obstacle)
         return _Take(parent, [frames[k] for k in sorted(frames)], frame)
 
     def _add(self, name: str, glb: bytes) -> viser.GlbHandle:

@@ -67,6 +67,9 @@ class Content(Answer):
     """What a view now shows."""
 
     pressures_kPa: list[float] = Field(description="Pressure of every frame [kPa]")
+    volumes_ml: list[float | None] = Field(
+        description="Cavity volume of every frame [ml]; null where the source does not know it"
+    )
     frame: int = Field(description="Index now visible")
     colour: Colour = Field(
         description="Colour used: 'displacement' when the source lacks the one asked"

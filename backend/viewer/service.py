@@ -2,6 +2,7 @@
 
 import secrets
 
+import numpy as np
 from fastapi import Request, Response
 
 from backend.designs.question import read_design, read_scene
@@ -58,6 +59,7 @@ def show(
     stamp("send")
     return Content(
         pressures_kPa=[float(f"{p / 1e3:.6g}") for p in shown.pressures],
+        volumes_ml=[None if np.isnan(v) else float(f"{v * 1e6:.6g}") for v in shown.volumes],
         frame=frame,
         colour=shown.colour,
         colours=shown.colours,
@@ -102,5 +104,10 @@ def _job_film(store: Store, shelf: Shelf, job_id: str) -> Film:
         raise NotFoundError("surface of job", job_id)
     return shelf.film(
         sha256,
-        lambda: stored_film(store.get_artifact(sha256), read_design(result.document["design"])),
+        lambda: stored_film(
+            store.get_artifact(sha256),
+            read_design(result.document["design"]),
+            read_scene(result.document["scene"]),
+            [point.get("cavity_volume_ml") for point in result.document["path"]],
+        ),
     )

@@ -11,9 +11,10 @@ from actuators.geometry import build_body
 from actuators.geometry.surface import body_surface
 from actuators.mechanics.predict import predict
 from actuators.mechanics.response import Centreline, Outcome, Response, SurfaceFields
-from actuators.mechanics.scene import Scene
+from actuators.mechanics.scene import Cylinder, Plate, Scene
 from backend.viewer import colour_maps, shading
 from backend.viewer.film import chosen_frames, instant_film, stored_film
+from backend.viewer.obstacles import cylinder_mesh, plate_mesh
 from backend.viewer.picture import picture
 from backend.viewer.skin import skin, swept
 from storage.response_arrays import pack
@@ -126,6 +127,32 @@ def test_the_legend_spans_what_is_shown() -> None:
     assert shown.bodies.undeformed is None
 
 
+def test_a_plate_stands_at_its_gap_and_a_cylinder_at_its_radius() -> None:
+    design = preset("slab-rectangle-low").design
+    scene = Scene(4e3, plate=Plate(5e-3), cylinder=Cylinder(10e-3, (60e-3, 0.0, -30e-3)))
+    shown = picture(instant_film(design, scene, no_stamp), "displacement", undeformed=False)
+    plate, cylinder = (
+        np.asarray(trimesh.load(io.BytesIO(glb), file_type="glb").bounds)  # type: ignore[union-attr]
+        for glb in shown.bodies.obstacles
+    )
+    # the face towards the actuator, whose underside lies at 0
+    assert plate[1, 2] == pytest.approx(-5.0, abs=1e-3)
+    assert cylinder[:, 2] == pytest.approx([-40.0, -20.0], abs=1e-3)
+    assert cylinder[0, 1] < -22.5
+    assert cylinder[1, 1] > 22.5
+    assert shown.bodies.box[0, 2] <= cylinder[0, 2]
+
+
+def test_every_face_of_an_obstacle_looks_outward() -> None:
+    box = np.array([[0.0, -20.0, -10.0], [100.0, 20.0, 20.0]])
+    for points, triangles, _ in (
+        plate_mesh(Plate(5e-3, (0.6, 0.0, 0.8)), box, box),
+        cylinder_mesh(Cylinder(10e-3, (0.05, 0.0, -0.03), (0.0, 0.6, 0.8)), box),
+    ):
+        assert trimesh.Trimesh(points, triangles).is_watertight
+        assert trimesh.Trimesh(points, triangles, process=False).volume > 0
+
+
 def stored(design: Design, *, half: bool) -> bytes:
     """A response with fields on the surface: the body stretched along X1 by the pressure."""
     body = build_body(design)
@@ -148,7 +175,7 @@ def stored(design: Design, *, half: bool) -> bytes:
 
 def test_a_stored_half_model_is_shown_whole() -> None:
     design = parse_design(SLAB)
-    film = stored_film(stored(design, half=True), design)
+    film = stored_film(stored(design, half=True), design, Scene(30e3), [10.0] * 4)
     assert film.skin.points[:, 1].min() == pytest.approx(-22.5e-3, abs=1e-6)
     assert film.skin.points[:, 1].max() == pytest.approx(22.5e-3, abs=1e-6)
     assert len(film.points) == 4
@@ -160,7 +187,7 @@ def test_a_stored_half_model_is_shown_whole() -> None:
 
 def test_a_stored_full_model_is_shown_as_it_is_without_the_inside_of_its_cavity() -> None:
     design = preset("oblique-45").design
-    film = stored_film(stored(design, half=False), design)
+    film = stored_film(stored(design, half=False), design, Scene(30e3), [10.0] * 4)
     surface = body_surface(build_body(design))
     assert len(film.skin.triangles) == int((~surface.cavity).sum())
 

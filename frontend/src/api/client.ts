@@ -39,7 +39,7 @@ function problemOf(status: number, body: unknown): ApiProblem {
     return new ApiProblem(status, body.detail);
   }
   const message = `The studio answered with status ${status}.`;
-  return new ApiProblem(status, { message, field: "", value: "", mend: "Try again." });
+  return new ApiProblem(status, { message, field: "", value: "", mend: "Try again.", kind: "" });
 }
 
 /** The data of a reply, or the error thrown as ApiProblem or Unreachable. */

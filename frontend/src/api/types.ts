@@ -12,6 +12,7 @@ export type Drawing = Schemas["Drawing"];
 export type DrawingView = Schemas["DrawingView"];
 export type DimensionLine = Schemas["DimensionLine"];
 export type Prediction = Schemas["Prediction"];
+export type LeftOut = Schemas["LeftOutLoad"];
 export type Result = Schemas["ResultDocument"];
 export type PathPoint = Schemas["PathPoint"];
 export type Job = Schemas["Job"];

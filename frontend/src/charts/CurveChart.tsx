@@ -6,7 +6,7 @@ import { useTheme } from "../theme/theme";
 import { useSize } from "../ui/useSize";
 import type { Curve } from "./curve";
 import { axesOf, drawAxisTitle, SPACE } from "./axes";
-import { drawClamp, drawCurves, drawMarker } from "./draw";
+import { drawClamp, drawCurves, drawMarker, drawRules, type Rule } from "./draw";
 import { equalRanges, freeRanges } from "./scales";
 
 export interface CurveChartProps {
@@ -15,24 +15,26 @@ export interface CurveChartProps {
   xTitle: string;
   /** One unit is as long on both axes. */
   equal?: boolean;
-  /** Pressure marked on every curve [kPa]. */
+  /** Place on the path (pressure or volume) marked on every curve. */
   marked: number | null;
-  /** A pressure chosen with the pointer [kPa]. */
-  onPick?: ((pressure: number) => void) | undefined;
+  /** Values that no curve passes. */
+  rules?: readonly Rule[] | undefined;
+  /** A place chosen with the pointer. */
+  onPick?: ((at: number) => void) | undefined;
   /** Called after the curves have been drawn. */
   onDrawn?: (() => void) | undefined;
   label: string;
   testId: string;
 }
 
-/** Curves over x and y with one marked pressure; the point under the pointer picks another. */
+/** Curves over x and y with one marked place; the point under the pointer picks another. */
 export function CurveChart(props: CurveChartProps) {
   const [ref, size] = useSize();
   const host = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const latest = useRef(props);
   const { theme } = useTheme();
-  const { xTitle, curves, marked } = props;
+  const { xTitle, curves, marked, rules } = props;
   const ready = size.width > 20 && size.height > 20;
 
   useLayoutEffect(() => {
@@ -57,7 +59,7 @@ export function CurveChart(props: CurveChartProps) {
   useLayoutEffect(() => {
     // The data stay with the props; a new empty set makes uPlot take ranges and draw anew.
     plot.current?.setData(EMPTY);
-  }, [curves]);
+  }, [curves, rules]);
 
   useLayoutEffect(() => {
     plot.current?.redraw(false);
@@ -74,8 +76,8 @@ const EMPTY = [null, [[], []]] as unknown as uPlot.AlignedData;
 
 function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string): uPlot {
   const ranges = () => {
-    const { curves, equal } = props();
-    if (!equal) return freeRanges(curves);
+    const { curves, equal, rules } = props();
+    if (!equal) return freeRanges(curves, rules);
     // Of the host: the plot asks for its ranges before it knows its own size.
     const { clientWidth, clientHeight } = host;
     return equalRanges(curves, clientWidth - SPACE.left - SPACE.right, clientHeight - SPACE.top - SPACE.bottom);
@@ -99,9 +101,10 @@ function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string)
       hooks: {
         draw: [
           (u) => {
-            const { curves, marked, onDrawn, equal } = props();
+            const { curves, marked, onDrawn, equal, rules } = props();
             drawAxisTitle(u, xTitle);
             if (equal) drawClamp(u);
+            drawRules(u, rules ?? []);
             drawCurves(u, curves);
             if (marked !== null) drawMarker(u, curves, marked, !equal);
             onDrawn?.();
@@ -116,23 +119,23 @@ function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string)
   return plot;
 }
 
-/** Press and drag over the plot moves the marked pressure to the nearest point of a curve. */
+/** Press and drag over the plot moves the mark to the nearest point of a curve. */
 function followPointer(plot: uPlot, props: () => CurveChartProps): void {
   const pick = (event: PointerEvent) => {
     if (event.buttons !== 1) return;
     const box = plot.over.getBoundingClientRect();
     const px = event.clientX - box.left;
     const py = event.clientY - box.top;
-    let best: { distance: number; pressure: number } | null = null;
+    let best: { distance: number; at: number } | null = null;
     for (const curve of props().curves) {
       for (const point of curve.points) {
         const dx = plot.valToPos(point.x, "x") - px;
         const dy = props().equal ? plot.valToPos(point.y, "y") - py : 0;
         const distance = Math.hypot(dx, dy);
-        if (!best || distance < best.distance) best = { distance, pressure: point.pressure };
+        if (!best || distance < best.distance) best = { distance, at: point.at };
       }
     }
-    if (best) props().onPick?.(best.pressure);
+    if (best) props().onPick?.(best.at);
   };
   plot.over.addEventListener("pointerdown", pick);
   plot.over.addEventListener("pointermove", pick);

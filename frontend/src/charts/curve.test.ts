@@ -9,14 +9,14 @@ function point(pressure: number, angle: number, stretch: number | null = null): 
     pressure_kPa: pressure, tip_mm: [100 - pressure, 0, -pressure], tip_displacement_mm: [0, 0, 0],
     tip_rotation_deg: null, bending_angle_deg: angle, curvature_per_m: null, torsion_per_m: null,
     helix_radius_mm: null, helix_pitch_mm: null, cavity_volume_ml: null, max_principal_stretch: stretch,
-    plate_force_N: null,
+    plate_force_N: null, cylinder_force_N: null, max_contact_pressure_kPa: null,
   };
 }
 
 function result(path: PathPoint[]): Result {
   return {
     design: {}, scene: {}, rung: "energy", outcome: "converged", advice: null, path, error_estimate_percent: null,
-    trusted_to_kPa: null,
+    trusted_to_kPa: null, error_estimates_percent: {}, limit_pressure_kPa: null,
     wall_s: null, unknowns: 0, newton_iterations: 0, effects: [], assumptions: [], notes: [],
   };
 }
@@ -43,7 +43,7 @@ describe("reading a path at a pressure", () => {
   });
 
   it("marks the same place on a curve", () => {
-    expect(pointAt(tipPoints(answer), 5)).toEqual({ x: 95, y: -5, pressure: 5 });
+    expect(pointAt(tipPoints(answer), 5)).toEqual({ x: 95, y: -5, at: 5 });
     expect(pointAt(anglePoints(answer), 30)).toBeNull();
   });
 });
@@ -74,13 +74,13 @@ describe("ranges of plots", () => {
 });
 
 describe("the end of what a model is meant for", () => {
-  const points = [0, 2, 4].map((pressure) => ({ x: pressure, y: 10 * pressure, pressure }));
+  const points = [0, 2, 4].map((pressure) => ({ x: pressure, y: 10 * pressure, at: pressure }));
   const curve = { id: "c", label: "Instant", color: "--c", points, style: "line" as const };
 
   it("parts the curve at that very pressure", () => {
     const { within, beyond } = splitAtTrust({ ...curve, trustedTo: 3 });
-    expect(within.map((point) => point.pressure)).toEqual([0, 2, 3]);
-    expect(beyond.map((point) => point.pressure)).toEqual([3, 4]);
+    expect(within.map((point) => point.at)).toEqual([0, 2, 3]);
+    expect(beyond.map((point) => point.at)).toEqual([3, 4]);
     expect(beyond[0]?.y).toBe(30);
   });
 

@@ -1,10 +1,12 @@
-/** A curve to plot: points over which pressure is known, so that a cursor can find its way. */
+/** A curve to plot: points whose place on the path is known, so that a cursor can find its way. */
 import type { PathPoint, Result } from "../api/types";
+import type { Control } from "../workbench/loads";
 
 export interface CurvePoint {
   x: number;
   y: number;
-  pressure: number;
+  /** Place on the path: pressure [kPa] or volume [ml], whichever is in control. */
+  at: number;
 }
 
 export interface Curve {
@@ -15,76 +17,94 @@ export interface Curve {
   points: readonly CurvePoint[];
   style: "line" | "dashed" | "dots";
   faded?: boolean;
-  /** The model's assumptions hold up to this pressure [kPa]; drawn dashed and paler beyond it. */
+  /** The model's assumptions hold up to this place on the path; drawn dashed and paler beyond it. */
   trustedTo?: number | null;
 }
 
-/** Whether a pressure lies where the answer's own assumptions no longer hold. */
-export function isBeyondTrust(result: Result, pressure: number): boolean {
-  return result.trusted_to_kPa !== null && pressure > result.trusted_to_kPa * (1 + 1e-6);
+/** The place up to which the answer's own assumptions hold; null where they hold on the whole path. */
+export function trustedPlace(result: Result, control: Control): number | null {
+  const trusted = result.trusted_to_kPa;
+  if (trusted === null || control === "pressure") return trusted;
+  return valueAt(result, trusted, (point) => point.cavity_volume_ml);
+}
+
+/** Whether a place on the path lies where the answer's own assumptions no longer hold. */
+export function isBeyondTrust(result: Result, at: number, control: Control = "pressure"): boolean {
+  const trusted = trustedPlace(result, control);
+  return trusted !== null && at > trusted * (1 + 1e-6);
 }
 
 /** The points up to the trusted pressure and those beyond it; both hold the point between. */
 export function splitAtTrust(curve: Curve): { within: readonly CurvePoint[]; beyond: readonly CurvePoint[] } {
   const { points, trustedTo = null } = curve;
   if (trustedTo === null) return { within: points, beyond: [] };
-  const first = points.findIndex((point) => point.pressure > trustedTo);
+  const first = points.findIndex((point) => point.at > trustedTo);
   if (first < 0) return { within: points, beyond: [] };
   const border = pointAt(points, trustedTo);
   const shared = border ? [border] : [];
   return { within: [...points.slice(0, first), ...shared], beyond: [...shared, ...points.slice(first)] };
 }
 
-export function anglePoints(result: Result): CurvePoint[] {
-  return result.path.flatMap((point) =>
-    point.pressure_kPa === null || point.bending_angle_deg === null
-      ? []
-      : [{ x: point.pressure_kPa, y: point.bending_angle_deg, pressure: point.pressure_kPa }],
-  );
+/** Where on a path a point stands: its pressure [kPa], or the cavity's volume [ml] where that is in
+ * control; a path through a limit point has pressures twice, but each volume once. */
+export function placeOf(point: PathPoint, control: Control): number | null {
+  return (control === "volume" ? point.cavity_volume_ml : point.pressure_kPa) ?? null;
 }
+
+export type PointsOf = (result: Result, control?: Control) => CurvePoint[];
+
+/** A quantity over what is in control. */
+export function overControl(quantity: Quantity): PointsOf {
+  return (result, control = "pressure") =>
+    result.path.flatMap((point) => {
+      const at = placeOf(point, control);
+      const y = quantity(point) ?? null;
+      return at === null || y === null ? [] : [{ x: at, y, at }];
+    });
+}
+
+export const anglePoints: PointsOf = overControl((point) => point.bending_angle_deg);
 
 /** Tip path in the plane of bending: X1 to the right, X3 up. */
-export function tipPoints(result: Result): CurvePoint[] {
-  return result.path.flatMap((point) => {
+export const tipPoints: PointsOf = (result, control = "pressure") =>
+  result.path.flatMap((point) => {
     const [x1, , x3] = point.tip_mm;
-    if (point.pressure_kPa === null || x1 === null || x3 === null) return [];
-    if (x1 === undefined || x3 === undefined) return [];
-    return [{ x: x1, y: x3, pressure: point.pressure_kPa }];
+    const at = placeOf(point, control);
+    if (at === null || x1 === null || x3 === null || x1 === undefined || x3 === undefined) return [];
+    return [{ x: x1, y: x3, at }];
   });
-}
 
-type Quantity = (point: PathPoint) => number | null | undefined;
+export type Quantity = (point: PathPoint) => number | null | undefined;
 
-/** Value at a pressure, linear between the path's points; null beyond the path, or where the rung
- * does not know the quantity. */
-export function valueAt(result: Result, pressure: number, quantity: Quantity): number | null {
-  const path = result.path;
-  const exact = path.find((point) => point.pressure_kPa !== null && Math.abs(point.pressure_kPa - pressure) < 1e-9);
-  if (exact) return quantity(exact) ?? null;
-  for (let index = 0; index < path.length; index++) {
-    const point = path[index];
-    if (!point || point.pressure_kPa === null) continue;
-    const next = path[index + 1];
-    if (!next || next.pressure_kPa === null) continue;
-    if ((pressure - point.pressure_kPa) * (pressure - next.pressure_kPa) > 0) continue;
+/** Value at a pressure (or a volume), linear between the path's points; null beyond the path, or
+ * where the rung does not know the quantity. */
+export function valueAt(result: Result, at: number, quantity: Quantity, control: Control = "pressure"): number | null {
+  const places = result.path.map((point) => placeOf(point, control));
+  const exact = places.findIndex((place) => place !== null && Math.abs(place - at) < 1e-9);
+  const found = result.path[exact];
+  if (found) return quantity(found) ?? null;
+  for (let index = 0; index + 1 < places.length; index++) {
+    const [here, there] = [places[index] ?? null, places[index + 1] ?? null];
+    const [point, next] = [result.path[index], result.path[index + 1]];
+    if (!point || !next || here === null || there === null) continue;
+    if ((at - here) * (at - there) > 0) continue;
     const from = quantity(point);
     const to = quantity(next);
     if (from === null || from === undefined || to === null || to === undefined) return null;
-    const share = (pressure - point.pressure_kPa) / (next.pressure_kPa - point.pressure_kPa);
-    return from + share * (to - from);
+    return from + ((at - here) / (there - here)) * (to - from);
   }
   return null;
 }
 
-export function pointAt(points: readonly CurvePoint[], pressure: number): CurvePoint | null {
+export function pointAt(points: readonly CurvePoint[], at: number): CurvePoint | null {
   for (let index = 0; index < points.length; index++) {
     const point = points[index];
     if (!point) continue;
-    if (Math.abs(point.pressure - pressure) < 1e-9) return point;
+    if (Math.abs(point.at - at) < 1e-9) return point;
     const next = points[index + 1];
-    if (!next || (pressure - point.pressure) * (pressure - next.pressure) > 0) continue;
-    const share = (pressure - point.pressure) / (next.pressure - point.pressure);
-    return { x: point.x + share * (next.x - point.x), y: point.y + share * (next.y - point.y), pressure };
+    if (!next || (at - point.at) * (at - next.at) > 0) continue;
+    const share = (at - point.at) / (next.at - point.at);
+    return { x: point.x + share * (next.x - point.x), y: point.y + share * (next.y - point.y), at };
   }
   return null;
 }

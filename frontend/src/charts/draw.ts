@@ -93,12 +93,56 @@ export function drawClamp(u: uPlot): void {
   });
 }
 
-/** The marked pressure: a point on every curve, and a line where pressure is the x axis. */
-export function drawMarker(u: uPlot, curves: readonly Curve[], pressure: number, upright: boolean): void {
+/** A value that a curve cannot pass, across the whole plot. */
+export interface Rule {
+  axis: "x" | "y";
+  value: number;
+  label: string;
+  /** Name of the colour's design token. */
+  color: string;
+}
+
+export function drawRules(u: uPlot, rules: readonly Rule[]): void {
+  clipped(u, (ctx, ratio) => {
+    const { left, top, width, height } = u.bbox;
+    for (const rule of rules) {
+      const place = u.valToPos(rule.value, rule.axis, true);
+      ctx.strokeStyle = ctx.fillStyle = token(rule.color);
+      ctx.lineWidth = 1.2 * ratio;
+      ctx.setLineDash([7 * ratio, 3 * ratio]);
+      ctx.beginPath();
+      if (rule.axis === "x") {
+        ctx.moveTo(place, top);
+        ctx.lineTo(place, top + height);
+      } else {
+        ctx.moveTo(left, place);
+        ctx.lineTo(left + width, place);
+      }
+      ctx.stroke();
+      ctx.setLineDash([]);
+      ctx.font = `${10.5 * ratio}px ${token("--font")}`;
+      ctx.textBaseline = "bottom";
+      ctx.textAlign = "right";
+      if (rule.axis === "y") {
+        ctx.fillText(rule.label, left + width - 4 * ratio, place - 2 * ratio);
+      } else {
+        // Along the line, on the side where there is a curve.
+        ctx.save();
+        ctx.translate(place - 3 * ratio, top + 4 * ratio);
+        ctx.rotate(-Math.PI / 2);
+        ctx.fillText(rule.label, 0, 0);
+        ctx.restore();
+      }
+    }
+  });
+}
+
+/** The marked place: a point on every curve, and a line where it is the x axis. */
+export function drawMarker(u: uPlot, curves: readonly Curve[], at: number, upright: boolean): void {
   const place = placer(u);
   clipped(u, (ctx, ratio) => {
     if (upright) {
-      const x = u.valToPos(pressure, "x", true);
+      const x = u.valToPos(at, "x", true);
       ctx.strokeStyle = token("--muted");
       ctx.lineWidth = ratio;
       ctx.setLineDash([3 * ratio, 3 * ratio]);
@@ -109,7 +153,7 @@ export function drawMarker(u: uPlot, curves: readonly Curve[], pressure: number,
       ctx.setLineDash([]);
     }
     for (const curve of curves) {
-      const point = pointAt(curve.points, pressure);
+      const point = pointAt(curve.points, at);
       if (!point) continue;
       ctx.fillStyle = token(curve.color);
       ctx.strokeStyle = token("--panel");

@@ -1,5 +1,6 @@
 /** Ranges of plots. */
 import type { Curve } from "./curve";
+import type { Rule } from "./draw";
 
 export type Range = [number, number];
 
@@ -20,10 +21,11 @@ function padded([low, high]: Range, share: number): Range {
   return [low - pad, high + pad];
 }
 
-export function freeRanges(curves: readonly Curve[]): { x: Range; y: Range } {
+export function freeRanges(curves: readonly Curve[], rules: readonly Rule[] = []): { x: Range; y: Range } {
   const points = curves.flatMap((curve) => curve.points);
-  const x = rangeOf(points.map((point) => point.x), true);
-  const y = rangeOf(points.map((point) => point.y), true);
+  const ruled = (axis: Rule["axis"]) => rules.filter((rule) => rule.axis === axis).map((rule) => rule.value);
+  const x = rangeOf([...points.map((point) => point.x), ...ruled("x")], true);
+  const y = rangeOf([...points.map((point) => point.y), ...ruled("y")], true);
   const [low, high] = padded(y, 0.06);
   return { x, y: [y[0] === 0 ? 0 : low, y[1] === 0 ? 0 : high] };
 }

@@ -2,6 +2,7 @@ import type { ComparedSide, Comparison } from "../api/types";
 import { anglePoints, tipPoints, type Curve } from "../charts/curve";
 import { CurveChart } from "../charts/CurveChart";
 import { ChartLegend } from "../charts/Legend";
+import { loadsInWords } from "../results/words";
 import { Notice } from "../ui/Notice";
 
 function sideCurves(side: ComparedSide, which: "left" | "right", points: typeof anglePoints): Curve[] {
@@ -20,7 +21,8 @@ function sideCurves(side: ComparedSide, which: "left" | "right", points: typeof 
 }
 
 /** Curves of both versions over one another. */
-export function ComparePlots({ comparison }: { comparison: Comparison }) {
+export function ComparePlots(props: { comparison: Comparison; pressure: number | null; onPick: (pressure: number) => void }) {
+  const { comparison, pressure, onPick } = props;
   const { left, right } = comparison;
   const angle = [...sideCurves(left, "left", anglePoints), ...sideCurves(right, "right", anglePoints)];
   const tip = [...sideCurves(left, "left", tipPoints), ...sideCurves(right, "right", tipPoints)];
@@ -34,6 +36,15 @@ export function ComparePlots({ comparison }: { comparison: Comparison }) {
             </Notice>
           ),
       )}
+      {[left, right].map(
+        (side) =>
+          side.instant_left_out.length > 0 && (
+            <Notice key={side.version.id} tone="info">
+              {side.version.design_name} v{side.version.number}: the instant answer is without{" "}
+              {loadsInWords(side.instant_left_out)}.
+            </Notice>
+          ),
+      )}
       <div className="plot-head">
         <h2>Bending angle (°)</h2>
         <ChartLegend curves={angle} />
@@ -41,7 +52,8 @@ export function ComparePlots({ comparison }: { comparison: Comparison }) {
       <CurveChart
         curves={angle}
         xTitle="p (kPa)"
-        marked={null}
+        marked={pressure}
+        onPick={onPick}
         label="Bending angle of both versions over pressure"
         testId="compare-angle"
       />
@@ -52,7 +64,8 @@ export function ComparePlots({ comparison }: { comparison: Comparison }) {
         curves={tip}
         xTitle="X₁ (mm)"
         equal
-        marked={null}
+        marked={pressure}
+        onPick={onPick}
         label="Tip path of both versions"
         testId="compare-tip"
       />

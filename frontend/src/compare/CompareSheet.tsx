@@ -1,4 +1,5 @@
 import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
 
 import { address, goTo } from "../app/address";
 import { messageOf } from "../api/client";
@@ -9,6 +10,7 @@ import { Layer } from "../ui/Layer";
 import { Busy, Notice } from "../ui/Notice";
 import { ComparePlots } from "./ComparePlots";
 import { CompareTable } from "./CompareTable";
+import { commonPressure, highestPressure } from "./commonPressure";
 
 function close(): void {
   goTo({ ...address.get(), compare: null });
@@ -41,14 +43,19 @@ export function CompareSheet({ left, right }: { left: string; right: string }) {
 }
 
 function Compared({ comparison }: { comparison: Comparison }) {
+  const { left, right } = comparison;
+  const results = [left.instant_result, right.instant_result, left.fe_result, right.fe_result];
+  const [chosen, choose] = useState<number | null>(null);
+  const top = highestPressure(results);
+  const pressure = chosen === null ? commonPressure(results) : Math.min(chosen, top ?? chosen);
   return (
     <div className="compare-body">
       <div className="compare-columns">
         <SideHead side={comparison.left} which="left" other={comparison.right.version.id} />
         <SideHead side={comparison.right} which="right" other={comparison.left.version.id} />
-        <CompareTable comparison={comparison} />
+        <CompareTable comparison={comparison} pressure={pressure} top={top} onChoose={choose} />
       </div>
-      <ComparePlots comparison={comparison} />
+      <ComparePlots comparison={comparison} pressure={pressure} onPick={choose} />
     </div>
   );
 }

@@ -3,12 +3,21 @@ import { useState } from "react";
 import type { ComparedSide, Comparison, PathPoint, Result } from "../api/types";
 import { valueAt } from "../charts/curve";
 import { spelt } from "../history/changes";
-import { QUANTITIES } from "../results/quantities";
+import { QUANTITIES, type Quantity } from "../results/quantities";
+import { NumberField } from "../ui/NumberField";
 import { formatQuantity } from "../ui/numbers";
-import { commonPressure } from "./commonPressure";
+import { Slider } from "../ui/Slider";
+
+interface AtPressure {
+  /** Pressure compared at [kPa]; null where there is no answer. */
+  pressure: number | null;
+  /** The highest one that any answer reaches [kPa]. */
+  top: number | null;
+  onChoose: (pressure: number) => void;
+}
 
 /** Parameters with those that differ first, then the answers at one pressure. */
-export function CompareTable({ comparison }: { comparison: Comparison }) {
+export function CompareTable({ comparison, ...at }: AtPressure & { comparison: Comparison }) {
   const [all, setAll] = useState(false);
   const differing = comparison.parameters.filter((each) => each.differs);
   const alike = comparison.parameters.filter((each) => !each.differs);
@@ -45,27 +54,45 @@ export function CompareTable({ comparison }: { comparison: Comparison }) {
           {all ? "Only what differs" : `Show ${alike.length} alike`}
         </button>
       )}
-      <Answers comparison={comparison} />
+      <Answers comparison={comparison} {...at} />
     </div>
   );
 }
 
-function Answers({ comparison }: { comparison: Comparison }) {
+function Answers({ comparison, pressure, top, onChoose }: AtPressure & { comparison: Comparison }) {
   const { left, right } = comparison;
-  const pressure = commonPressure([left.instant_result, right.instant_result]);
-  if (pressure === null) return null;
+  if (pressure === null || top === null) return null;
   const fe = left.fe_result !== null || right.fe_result !== null;
+  const results = [left.instant_result, right.instant_result, left.fe_result, right.fe_result];
+  const listed = QUANTITIES.filter(
+    (quantity) => !quantity.rare || results.some((result) => result?.path.some((point) => typeof quantity.value(point) === "number")),
+  );
+  return (
+    <>
+      <div className="compare-pressure">
+        <span>Answers at</span>
+        <Slider value={pressure} min={0} max={top} step={top / 200} label="Pressure compared" onInput={onChoose} testId="compare-slider" />
+        <NumberField value={Number(pressure.toPrecision(4))} step={1} unit="kPa" label="Pressure compared" onCommit={onChoose} testId="compare-pressure" />
+      </div>
+      <AnswersTable comparison={comparison} pressure={pressure} fe={fe} listed={listed} />
+    </>
+  );
+}
+
+function AnswersTable(props: { comparison: Comparison; pressure: number; fe: boolean; listed: readonly Quantity[] }) {
+  const { pressure, fe, listed } = props;
+  const { left, right } = props.comparison;
   return (
     <table className="numbers compare">
       <thead>
         <tr>
-          <th scope="col">At {formatQuantity(pressure)} kPa</th>
+          <th scope="col">Quantity</th>
           <th scope="col">Left</th>
           <th scope="col">Right</th>
         </tr>
       </thead>
       <tbody>
-        {QUANTITIES.map((quantity) => (
+        {listed.map((quantity) => (
           <tr key={quantity.name} title={quantity.help}>
             <th scope="row">
               {quantity.label} <span className="muted">{quantity.unit}</span>

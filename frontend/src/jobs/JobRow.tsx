@@ -4,7 +4,7 @@ import { api, messageOf, take } from "../api/client";
 import { keys, queryClient } from "../api/queries";
 import { withJob } from "../api/live";
 import type { Job } from "../api/types";
-import { jobSentence, percent, stateInWords } from "../results/words";
+import { jobSentence, meshOrAccuracy, stateInWords } from "../results/words";
 import { shownJob } from "../results/shown";
 import { Button, IconButton } from "../ui/Button";
 import { formatQuantity, formatSeconds } from "../ui/numbers";
@@ -21,6 +21,7 @@ function tone(job: Job): string {
 
 /** "12.5 of 40 kPa" while it runs, "40 kPa" otherwise. */
 function reached(job: Job): string {
+  if (job.volume_to_ml !== null) return `${formatQuantity(job.volume_to_ml)} ml`;
   const to = job.pressure_to_kPa === null ? "" : `${formatQuantity(job.pressure_to_kPa)} kPa`;
   if (job.pressure_kPa === null || job.pressure_kPa === job.pressure_to_kPa) return to;
   return `${formatQuantity(job.pressure_kPa)} of ${to}`;
@@ -30,10 +31,12 @@ interface JobRowProps {
   job: Job;
   /** Whether the job belongs to the version on the bench. */
   here: boolean;
+  /** Whether its answer is one to the version on the bench, whichever version asked. */
+  answers: boolean;
   shown: boolean;
 }
 
-export function JobRow({ job, here, shown }: JobRowProps) {
+export function JobRow({ job, here, answers, shown }: JobRowProps) {
   const elapsed = useElapsed(job);
   const active = job.state === "queued" || job.state === "running";
   const sentence = jobSentence(job);
@@ -54,7 +57,7 @@ export function JobRow({ job, here, shown }: JobRowProps) {
         </button>
       </td>
       <td className="job-question muted">
-        {percent(job.accuracy)}, {reached(job)}
+        {meshOrAccuracy(job)}, {reached(job)}
       </td>
       {active ? (
         <>
@@ -75,7 +78,7 @@ export function JobRow({ job, here, shown }: JobRowProps) {
       <td className="job-elapsed">{elapsed === null ? "" : formatSeconds(elapsed)}</td>
       <td className="job-tools">
         {active && <CancelButton job={job} />}
-        {job.state === "done" && here && <ShowButton job={job} shown={shown} />}
+        {job.state === "done" && answers && <ShowButton job={job} shown={shown} />}
       </td>
     </tr>
   );

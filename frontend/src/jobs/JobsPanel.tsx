@@ -4,7 +4,7 @@ import { messageOf } from "../api/client";
 import { useJobs } from "../api/queries";
 import { usePick } from "../api/store";
 import type { Job } from "../api/types";
-import { useShownJob } from "../results/shown";
+import { useCandidates, useShownJob } from "../results/shown";
 import { Button, IconButton } from "../ui/Button";
 import { Busy, Empty, Notice } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
@@ -74,6 +74,7 @@ function body(query: ReturnType<typeof useJobs>, jobs: readonly Job[], versionId
 
 function JobTable({ jobs, versionId }: { jobs: readonly Job[]; versionId: string | null }) {
   const shown = useShownJob();
+  const candidates = new Set(useCandidates().map((job) => job.id));
   return (
     <table className="job-table">
       <colgroup>
@@ -94,7 +95,7 @@ function JobTable({ jobs, versionId }: { jobs: readonly Job[]; versionId: string
       </thead>
       <tbody>
         {jobs.map((job) => (
-          <JobRow key={job.id} job={job} here={job.version_id === versionId} shown={job.id === shown?.id} />
+          <JobRow key={job.id} job={job} here={job.version_id === versionId} answers={candidates.has(job.id)} shown={job.id === shown?.id} />
         ))}
       </tbody>
     </table>

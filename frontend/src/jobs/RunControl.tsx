@@ -10,6 +10,7 @@ import { shownJob } from "../results/shown";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { Segmented } from "../ui/Segmented";
+import { Select } from "../ui/Select";
 import { showToast } from "../ui/toasts";
 import { answers, isRefused } from "../workbench/answers";
 import { ensureSaved } from "../workbench/opening";
@@ -17,22 +18,33 @@ import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 
 const ACCURACIES = [
-  { value: "0.1", label: "10 %", title: "Coarse mesh: a first look" },
-  { value: "0.05", label: "5 %", title: "Meshes are refined until two answers differ by less than 5 %" },
-  { value: "0.02", label: "2 %", title: "Fine meshes: takes the longest" },
+  { value: "0.1", label: "10 %", title: "A first look" },
+  { value: "0.05", label: "5 %", title: "Meshes are refined until the estimated errors are below 5 %" },
+  { value: "0.02", label: "2 %", title: "Fine meshes" },
+  { value: "0.01", label: "1 %", title: "Fine meshes: takes the longest" },
 ] as const;
 
 type Accuracy = (typeof ACCURACIES)[number]["value"];
 
-async function submit(accuracy: Accuracy): Promise<Job> {
+/** Empty: the accuracy decides. */
+const MESHES = [
+  { value: "", label: "Mesh: auto" },
+  { value: "coarse", label: "Coarse mesh" },
+  { value: "medium", label: "Medium mesh" },
+  { value: "fine", label: "Fine mesh" },
+  { value: "finest", label: "Finest mesh" },
+] as const;
+
+async function submit(accuracy: Accuracy, mesh: string): Promise<Job> {
   const versionId = await ensureSaved("Kept for a finite-element job");
-  const body = { version_id: versionId, rung: "fe" as const, accuracy: Number(accuracy), scene: null };
+  const body = { version_id: versionId, rung: "fe" as const, accuracy: Number(accuracy), mesh: mesh || null, scene: null };
   return take(api.POST("/api/jobs", { body }));
 }
 
 /** Sends what is on the bench to the queue, keeping it as a version first. */
 export function RunControl() {
   const [accuracy, setAccuracy] = useState<Accuracy>("0.05");
+  const [mesh, setMesh] = useState("");
   const needsSaving = usePick(bench, (timeline) => {
     if (!timeline) return false;
     return timeline.present.origin.kind === "preset" || isChanged(timeline.present);
@@ -40,7 +52,7 @@ export function RunControl() {
   const refused = usePick(answers, isRefused);
   const { data: health } = useHealth();
   const run = useMutation({
-    mutationFn: () => submit(accuracy),
+    mutationFn: () => submit(accuracy, mesh),
     onSuccess: (job) => {
       queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
       shownJob.set({ kind: "newest" });
@@ -56,7 +68,14 @@ export function RunControl() {
         </span>
       )}
       <span className="muted">Accuracy</span>
-      <Segmented label="Accuracy" options={ACCURACIES} value={accuracy} onChange={setAccuracy} testId="accuracy" />
+      <Segmented
+        label="Accuracy"
+        options={ACCURACIES.map((each) => ({ ...each, disabled: mesh !== "" }))}
+        value={accuracy}
+        onChange={setAccuracy}
+        testId="accuracy"
+      />
+      <Select label="Mesh" value={mesh} options={MESHES} onChange={setMesh} testId="mesh" />
       <Button
         look="primary"
         icon="play"

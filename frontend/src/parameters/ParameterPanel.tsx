@@ -4,6 +4,8 @@ import { messageOf } from "../api/client";
 import { families, presets } from "../api/queries";
 import { usePick, useStore } from "../api/store";
 import type { Parameter, ProblemDetail } from "../api/types";
+import { labelOf, placeInScene } from "../scene/places";
+import { SceneGroup } from "../scene/SceneGroup";
 import { Button } from "../ui/Button";
 import { Busy, Notice } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
@@ -14,7 +16,6 @@ import { densityOf, densityValues } from "./density";
 import { ParameterRow } from "./ParameterRow";
 import { Problem } from "./Problem";
 import { isRelevant } from "./relevance";
-import { SceneGroup } from "./SceneGroup";
 
 /** Every parameter of the design on the bench, grouped as the family groups them. */
 export function ParameterPanel() {
@@ -35,7 +36,8 @@ export function ParameterPanel() {
   if (!family) return <Notice tone="bad">This design belongs to a family that this version does not know.</Notice>;
   const parameters = family.parameters.filter((parameter) => isRelevant(parameter.name, work.design));
   const problem = designProblem ?? sceneProblem;
-  const named = problem && placeOf(problem, parameters);
+  const named = problem && placeOf(problem, parameters, work);
+  const inScene = problem !== null && named !== null && !parameters.some((each) => each.name === named.name);
   return (
     <div className="parameters" data-testid="parameters">
       {problem && !named && (
@@ -46,8 +48,8 @@ export function ParameterPanel() {
       <SceneGroup
         work={work}
         baseline={baseline}
-        problem={problem && isScene(problem) ? problem : null}
-        elsewhere={edited === "pressureTo" && named && named !== SCENE ? named : null}
+        problem={inScene ? problem : null}
+        elsewhere={edited !== null && named && named.name !== edited ? { at: edited, place: named } : null}
       />
       {groupsOf(parameters).map(([group, members]) => (
         <section className="parameter-group" key={group} aria-label={group}>
@@ -131,15 +133,11 @@ function names(problem: ProblemDetail, parameter: Parameter): boolean {
   return field === parameter.name || field === parameter.border_name;
 }
 
-function isScene(problem: ProblemDetail): boolean {
-  return /pressure|steps|gravity/.test(problem.field);
-}
-
 type Place = Pick<Parameter, "name" | "label">;
 
-const SCENE: Place = { name: "pressure", label: "Pressure to" };
-
 /** The field that a refusal names; null where the page shows none. */
-function placeOf(problem: ProblemDetail, parameters: readonly Parameter[]): Place | null {
-  return isScene(problem) ? SCENE : (parameters.find((parameter) => names(problem, parameter)) ?? null);
+function placeOf(problem: ProblemDetail, parameters: readonly Parameter[], work: Work): Place | null {
+  const inScene = problem.kind === "design" ? null : placeInScene(problem.field, work.loads);
+  if (inScene) return { name: inScene, label: labelOf(inScene) };
+  return parameters.find((parameter) => names(problem, parameter)) ?? null;
 }

@@ -6,21 +6,25 @@ import { answers } from "../workbench/answers";
 import type { ShownFe } from "./shown";
 import { endInWords } from "./words";
 
-export function useNoteCount(result: Result, fe: ShownFe | null): number {
-  return result.notes.length + result.assumptions.length + (fe?.result.notes.length ?? 0);
+export function useNoteCount(instant: Result | null, fe: ShownFe | null): number {
+  const assumptions = (instant ?? fe?.result)?.assumptions.length ?? 0;
+  return (instant?.notes.length ?? 0) + assumptions + (fe?.result.notes.length ?? 0);
 }
 
 /** What the answers rest on: outcome, findings, assumptions, effects, derived dimensions. */
-export function ModelNotes({ result, fe, totalMs }: { result: Result; fe: ShownFe | null; totalMs: number | null }) {
+export function ModelNotes({ instant, fe, totalMs }: { instant: Result | null; fe: ShownFe | null; totalMs: number | null }) {
+  const assumptions = (instant ?? fe?.result)?.assumptions ?? [];
   const derived = usePick(answers, (now) => now.check?.derived ?? null);
   return (
     <div className="model-notes" data-testid="model-notes">
-      <ResultNotes
-        title="Instant model"
-        className="series-instant"
-        result={result}
-        facts={[totalMs === null ? "" : `answered in ${formatQuantity(totalMs, 2)} ms`]}
-      />
+      {instant && (
+        <ResultNotes
+          title="Instant model"
+          className="series-instant"
+          result={instant}
+          facts={[totalMs === null ? "" : `answered in ${formatQuantity(totalMs, 2)} ms`]}
+        />
+      )}
       {fe && (
         <ResultNotes
           title="3D finite elements"
@@ -29,17 +33,15 @@ export function ModelNotes({ result, fe, totalMs }: { result: Result; fe: ShownF
           facts={[
             fe.result.wall_s === null ? "" : `solved in ${formatSeconds(fe.result.wall_s)}`,
             `${fe.result.unknowns.toLocaleString("en")} unknowns`,
-            fe.result.error_estimate_percent === null
-              ? "no error estimate"
-              : `estimated error ${formatQuantity(fe.result.error_estimate_percent, 2)} %`,
+            errorsInWords(fe.result),
           ]}
         />
       )}
-      {result.assumptions.length > 0 && (
+      {assumptions.length > 0 && (
         <section>
           <h3>Assumptions</h3>
           <ul>
-            {result.assumptions.map((each) => (
+            {assumptions.map((each) => (
               <li key={each}>{readable(each)}</li>
             ))}
           </ul>
@@ -62,6 +64,18 @@ export function ModelNotes({ result, fe, totalMs }: { result: Result; fe: ShownF
       )}
     </div>
   );
+}
+
+const ESTIMATED: Record<string, string> = { tip: "tip", angle: "angle", volume: "volume", force: "force", limit_pressure: "limit pressure" };
+
+/** "estimated errors: tip 1.2 %, angle 0.8 %" */
+function errorsInWords(result: Result): string {
+  const named = Object.entries(result.error_estimates_percent).flatMap(([name, value]) =>
+    value === null ? [] : [`${ESTIMATED[name] ?? name.replaceAll("_", " ")} ${formatQuantity(value, 2)} %`],
+  );
+  if (named.length > 0) return `estimated errors: ${named.join(", ")}`;
+  const { error_estimate_percent: whole } = result;
+  return whole === null ? "no error estimate" : `estimated error ${formatQuantity(whole, 2)} %`;
 }
 
 function ResultNotes(props: { title: string; className: string; result: Result; facts: string[] }) {

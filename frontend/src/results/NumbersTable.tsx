@@ -1,64 +1,123 @@
 import type { Result } from "../api/types";
 import { valueAt } from "../charts/curve";
-import { lastPressure } from "./lastPressure";
-import { kPa } from "./words";
 import { formatQuantity } from "../ui/numbers";
-import { QUANTITIES, type Quantity } from "./quantities";
+import { MathSymbol } from "../ui/Symbol";
+import type { Control } from "../workbench/loads";
+import { PRESSURE, QUANTITIES, type Quantity } from "./quantities";
+import { reached, within } from "./reached";
 import type { ShownFe } from "./shown";
+import { kPa, placeInWords } from "./words";
 
 interface NumbersTableProps {
-  result: Result;
+  /** Null where the instant model has no answer. */
+  instant: Result | null;
   fe: ShownFe | null;
-  pressure: number | null;
+  control: Control;
+  /** Place on the path; null stands for its end. */
+  at: number | null;
 }
 
 function knows(result: Result, quantity: Quantity): boolean {
   return result.path.some((point) => typeof quantity.value(point) === "number");
 }
 
-/** Every quantity at the scrubber's pressure. */
-export function NumbersTable({ result, fe, pressure }: NumbersTableProps) {
-  const at = pressure ?? result.path.at(-1)?.pressure_kPa ?? 0;
-  const end = fe ? lastPressure(fe.result) : null;
-  // Past the end of its path the last state found stands, and the heading says so.
-  const feAt = end !== null && at > end ? end : at;
-  const ended = at - feAt > 0.002 * at;
+function listed(instant: Result | null, fe: ShownFe | null, control: Control): Quantity[] {
+  const known = (quantity: Quantity) => [instant, fe?.result].some((result) => result && knows(result, quantity));
+  const usual = QUANTITIES.filter((quantity) => !quantity.rare || known(quantity));
+  return control === "volume" ? [PRESSURE, ...usual] : usual;
+}
+
+/** Every quantity at the scrubber's place on the path. */
+export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
+  const any = instant ?? fe?.result;
+  const place = at ?? (any ? reached(any, control) : null) ?? 0;
+  const estimates = fe?.result.error_estimates_percent ?? {};
+  const estimated = Object.keys(estimates).length > 0;
   return (
     <table className="numbers" data-testid="numbers">
       <thead>
         <tr>
           <th scope="col">Quantity</th>
-          <th scope="col" className="series-instant">
-            Instant
-          </th>
-          {fe && (
-            <th scope="col" className={fe.matches ? "series-fe" : "series-fe faded"}>
-              {ended ? `FE at ${kPa(feAt)}, its ${fe.result.outcome === "limit_point" ? "limit" : "end"}` : "FE"}
+          {instant && (
+            <th scope="col" className="series-instant">
+              Instant
+            </th>
+          )}
+          {fe && <FeHead fe={fe} control={control} place={place} />}
+          {estimated && (
+            <th scope="col" title="Estimated error of the finite-element answer, from nested meshes">
+              ±
             </th>
           )}
           <th scope="col">Unit</th>
         </tr>
       </thead>
       <tbody>
-        {QUANTITIES.map((quantity) => (
+        {listed(instant, fe, control).map((quantity) => (
           <tr key={quantity.name} title={quantity.help}>
             <th scope="row">
-              {quantity.label} {quantity.symbol && <var className="symbol">{quantity.symbol}</var>}
+              {quantity.label} <MathSymbol symbol={quantity.symbol} />
             </th>
-            <td data-testid={`number-${quantity.name}`}>{formatQuantity(valueAt(result, at, quantity.value), 4)}</td>
-            {fe && (
-              <td
-                data-testid={`number-fe-${quantity.name}`}
-                className={fe.matches ? "" : "faded"}
-                title={knows(fe.result, quantity) ? undefined : "not computed by 3D FE"}
-              >
-                {formatQuantity(valueAt(fe.result, feAt, quantity.value), 4)}
+            {instant && (
+              <td data-testid={`number-${quantity.name}`}>
+                {formatQuantity(valueAt(instant, place, quantity.value, control), 4)}
+              </td>
+            )}
+            {fe && <FeCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />}
+            {estimated && (
+              <td className="estimate" data-testid={`estimate-${quantity.name}`}>
+                {percent(quantity.estimate === undefined ? null : estimates[quantity.estimate])}
               </td>
             )}
             <td className="unit">{quantity.unit}</td>
           </tr>
         ))}
+        {fe && <LimitRow fe={fe} instant={instant !== null} estimate={estimated ? (estimates.limit_pressure ?? null) : undefined} />}
       </tbody>
     </table>
   );
+}
+
+/** Past the end of its path the last state found stands, and the heading says so. */
+function FeHead({ fe, control, place }: { fe: ShownFe; control: Control; place: number }) {
+  const shown = within(fe.result, place, control);
+  const ended = Math.abs(place - shown) > 0.002 * Math.abs(place);
+  const end = fe.result.outcome === "limit_point" ? "limit" : "end";
+  return (
+    <th scope="col" className={fe.matches ? "series-fe" : "series-fe faded"}>
+      {ended ? `FE at ${placeInWords(shown, control)}, its ${end}` : "FE"}
+    </th>
+  );
+}
+
+function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control: Control }) {
+  const { fe, quantity, place, control } = props;
+  return (
+    <td
+      data-testid={`number-fe-${quantity.name}`}
+      className={fe.matches ? "" : "faded"}
+      title={knows(fe.result, quantity) ? undefined : "not computed by 3D FE"}
+    >
+      {formatQuantity(valueAt(fe.result, place, quantity.value, control), 4)}
+    </td>
+  );
+}
+
+/** The pressure's maximum, where the path met one. `estimate` is undefined without that column. */
+function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | null | undefined }) {
+  const limit = props.fe.result.limit_pressure_kPa;
+  if (limit === null) return null;
+  return (
+    <tr className="limit" title={`There is no equilibrium above ${kPa(limit)}: beyond it the actuator grows by itself.`}>
+      <th scope="row">Limit pressure</th>
+      {props.instant && <td>—</td>}
+      <td data-testid="number-fe-limit_pressure">{formatQuantity(limit, 4)}</td>
+      {props.estimate !== undefined && <td className="estimate">{percent(props.estimate)}</td>}
+      <td className="unit">kPa</td>
+    </tr>
+  );
+}
+
+function percent(value: number | null | undefined): string {
+  return value === null || value === undefined ? "" : `${formatQuantity(value, 2)} %`;
 }

@@ -7,11 +7,24 @@ export interface Quantity {
   symbol: string;
   unit: string;
   help: string;
+  /** Key of the finite-element error estimate that holds for it. */
+  estimate?: "tip" | "angle" | "force" | "volume";
+  /** Listed only where an answer knows it. */
+  rare?: boolean;
   value: (point: PathPoint) => number | null | undefined;
 }
 
 export const BENDING_ANGLE =
   "Bending angle: between X₁ and the straight line from the clamp to the tip point; positive towards the bottom layer.";
+
+export const PRESSURE: Quantity = {
+  name: "pressure",
+  label: "Pressure",
+  symbol: "p",
+  unit: "kPa",
+  help: "Of the air in the cavity, above the air around.",
+  value: (point) => point.pressure_kPa,
+};
 
 export const QUANTITIES: readonly Quantity[] = [
   {
@@ -20,6 +33,7 @@ export const QUANTITIES: readonly Quantity[] = [
     symbol: "θ",
     unit: "°",
     help: BENDING_ANGLE,
+    estimate: "angle",
     value: (point) => point.bending_angle_deg,
   },
   {
@@ -28,6 +42,7 @@ export const QUANTITIES: readonly Quantity[] = [
     symbol: "φ",
     unit: "°",
     help: "Tip rotation: how far the face at the free end has turned about X₂.",
+    estimate: "angle",
     value: (point) => point.tip_rotation_deg,
   },
   ...([1, 2, 3] as const).map((axis) => ({
@@ -36,6 +51,7 @@ export const QUANTITIES: readonly Quantity[] = [
     symbol: "",
     unit: "mm",
     help: "Middle of the free end's bottom edge.",
+    estimate: "tip" as const,
     value: (point: PathPoint) => point.tip_mm[axis - 1],
   })),
   {
@@ -76,6 +92,7 @@ export const QUANTITIES: readonly Quantity[] = [
     symbol: "V",
     unit: "ml",
     help: "Air enclosed in chambers and channel.",
+    estimate: "volume",
     value: (point) => point.cavity_volume_ml,
   },
   {
@@ -85,5 +102,34 @@ export const QUANTITIES: readonly Quantity[] = [
     unit: "",
     help: "Largest principal stretch anywhere in the rubber.",
     value: (point) => point.max_principal_stretch,
+  },
+  {
+    name: "plate_force",
+    label: "Force on plate",
+    symbol: "F",
+    unit: "N",
+    help: "Size of the force between actuator and plate, along the plate's normal.",
+    estimate: "force",
+    rare: true,
+    value: (point) => point.plate_force_N,
+  },
+  {
+    name: "cylinder_force",
+    label: "Force on cylinder",
+    symbol: "F_c",
+    unit: "N",
+    help: "Size of the force between actuator and cylinder.",
+    estimate: "force",
+    rare: true,
+    value: (point) => point.cylinder_force_N,
+  },
+  {
+    name: "contact_pressure",
+    label: "Contact pressure",
+    symbol: "p_c",
+    unit: "kPa",
+    help: "Largest pressure where surfaces touch.",
+    rare: true,
+    value: (point) => point.max_contact_pressure_kPa,
   },
 ];

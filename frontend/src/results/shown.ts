@@ -4,7 +4,8 @@ import { useQuery } from "@tanstack/react-query";
 import { useJobResult, useJobs, version } from "../api/queries";
 import { Store, usePick, useStore } from "../api/store";
 import type { Job, Result } from "../api/types";
-import { readDesign, readScene, sameDesign, type Work } from "../workbench/document";
+import { readDesign, sameDesign, type Work } from "../workbench/document";
+import { readLoads, sameButEnd } from "../workbench/loads";
 import { bench } from "../workbench/workbench";
 
 /** A job's id, or the newest finished one of the open version, or none. */
@@ -15,7 +16,7 @@ export const shownJob = new Store<Choice>({ kind: "newest" });
 export interface ShownFe {
   job: Job;
   result: Result;
-  /** Whether it answers what is on the bench (gravity and all parameters alike). */
+  /** Whether it answers what is on the bench: all parameters and loads alike, save how far it goes. */
   matches: boolean;
 }
 
@@ -23,16 +24,16 @@ export function hasResult(job: Job): boolean {
   return job.state === "done";
 }
 
-function newestDone(jobs: readonly Job[], versionId: string | null): Job | null {
-  const done = jobs.filter((job) => hasResult(job) && job.version_id === versionId);
-  return done.reduce<Job | null>(
+function newestDone(jobs: readonly Job[]): Job | null {
+  return jobs.filter(hasResult).reduce<Job | null>(
     (best, job) => (best && best.created_at >= job.created_at ? best : job),
     null,
   );
 }
 
-/** Jobs of the open version, from its own record and from the live list. */
-function useCandidates(): { jobs: Job[]; versionId: string | null } {
+/** Jobs that answer the open version: its own, from its record and from the live list, and those of
+ * other versions that hold the same design in the same scene, as a fork's origin does. */
+export function useCandidates(): Job[] {
   const versionId = usePick(bench, (timeline) => {
     const origin = timeline?.present.origin;
     return origin?.kind === "version" ? origin.versionId : null;
@@ -41,21 +42,23 @@ function useCandidates(): { jobs: Job[]; versionId: string | null } {
   const { data: detail } = useQuery({ ...version(versionId ?? ""), enabled: versionId !== null });
   const known = new Map<string, Job>();
   for (const job of detail?.jobs ?? []) known.set(job.id, job);
-  for (const job of live) known.set(job.id, job);
-  return { jobs: [...known.values()], versionId };
+  for (const job of detail?.answered_by ?? []) known.set(job.id, job);
+  for (const job of live) {
+    if (job.version_id === versionId || known.has(job.id)) known.set(job.id, job);
+  }
+  return [...known.values()];
 }
 
 export function useShownJob(): Job | null {
   const choice = useStore(shownJob);
-  const { jobs, versionId } = useCandidates();
+  const jobs = useCandidates();
   if (choice.kind === "none") return null;
-  if (choice.kind === "newest") return newestDone(jobs, versionId);
+  if (choice.kind === "newest") return newestDone(jobs);
   return jobs.find((job) => job.id === choice.id && hasResult(job)) ?? null;
 }
 
 function answersSame(result: Result, work: Work): boolean {
-  const { gravity } = readScene(result.scene);
-  return gravity === work.gravity && sameDesign(readDesign(result.design), work.design);
+  return sameButEnd(readLoads(result.scene), work.loads) && sameDesign(readDesign(result.design), work.design);
 }
 
 export function useShownFe(): ShownFe | null {

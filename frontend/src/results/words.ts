@@ -1,6 +1,7 @@
 /** Outcomes and rungs in words. */
 import type { Job, Result } from "../api/types";
 import { formatQuantity } from "../ui/numbers";
+import type { Control } from "../workbench/loads";
 
 const OUTCOMES: Record<string, string> = {
   converged: "Reached the full pressure.",
@@ -23,15 +24,41 @@ export function endInWords(result: Result): string {
 
 /** A pressure to read: "3.8 kPa". */
 export function kPa(pressure: number): string {
-  return `${formatQuantity(pressure, pressure < 10 ? 2 : 3)} kPa`;
+  return `${formatQuantity(pressure, Math.abs(pressure) < 10 ? 2 : 3)} kPa`;
+}
+
+/** A place on the path, by what is in control: "3.8 kPa", "42.0 ml". */
+export function placeInWords(at: number, control: Control): string {
+  return control === "pressure" ? kPa(at) : `${formatQuantity(at)} ml`;
+}
+
+const LOADS: Record<string, string> = {
+  volume: "control by volume",
+  outside_pressure: "outside pressure",
+  tip_force: "tip force",
+  plate: "plate",
+  cylinder: "cylinder",
+  self_contact: "self-contact",
+};
+
+/** "plate and tip force" */
+export function loadsInWords(fields: readonly string[]): string {
+  const names = fields.map((field) => LOADS[field] ?? field.replaceAll("_", " "));
+  const last = names.pop() ?? "";
+  return names.length > 0 ? `${names.join(", ")} and ${last}` : last;
 }
 
 export function percent(fraction: number): string {
   return `${Number((fraction * 100).toPrecision(3))} %`;
 }
 
+/** What a job's answer may be off by, or the mesh it was asked on. */
+export function meshOrAccuracy(job: Job): string {
+  return job.mesh === null ? percent(job.accuracy) : `${job.mesh} mesh`;
+}
+
 export function feLabel(job: Job): string {
-  return `FE ${percent(job.accuracy)}`;
+  return `FE ${meshOrAccuracy(job)}`;
 }
 
 const STATES: Record<Job["state"], string> = {

@@ -7,6 +7,8 @@ interface NumberFieldProps {
   value: number;
   step: number;
   unit: string;
+  /** Shown before the number in place of the unit after it: the axis of a component. */
+  prefix?: string;
   label: string;
   invalid?: boolean;
   integer?: boolean;
@@ -55,6 +57,7 @@ export function NumberField(props: NumberFieldProps) {
 
   const field = (
     <span className={`number-field${props.invalid || refusal ? " invalid" : ""}`}>
+      {props.prefix && <span className="unit prefix">{props.prefix}</span>}
       <input
         type="text"
         inputMode="decimal"
@@ -83,7 +86,7 @@ export function NumberField(props: NumberFieldProps) {
           }
         }}
       />
-      {props.unit && <span className="unit">{props.unit === "deg" ? "°" : props.unit}</span>}
+      {props.unit && !props.prefix && <span className="unit">{props.unit === "deg" ? "°" : props.unit}</span>}
     </span>
   );
   return (

@@ -5,6 +5,9 @@ import { parseNumber } from "./numbers";
 const KINDS: readonly Readonly<Record<string, number>>[] = [
   { mm: 1, cm: 10, dm: 100, m: 1000, µm: 1e-3, um: 1e-3, in: 25.4 },
   { kPa: 1, Pa: 1e-3, hPa: 0.1, MPa: 1000, mbar: 0.1, bar: 100, psi: 6.894757293 },
+  { ml: 1, l: 1000, L: 1000, cm3: 1, "cm³": 1, mm3: 1e-3, "mm³": 1e-3, m3: 1e6, "m³": 1e6 },
+  { N: 1, mN: 1e-3, kN: 1000 },
+  { "m/s²": 1, "m/s2": 1 },
   { deg: 1, "°": 1, rad: 180 / Math.PI },
 ];
 

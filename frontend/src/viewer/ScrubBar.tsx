@@ -1,13 +1,14 @@
 import { useStore } from "../api/store";
 import { IconButton } from "../ui/Button";
-import { frameIndex, scrubber, scrubToFrame, shownPressure, togglePlay } from "../workbench/scrubber";
+import { frameIndex, scrubber, scrubToFrame, shownPlace, togglePlay } from "../workbench/scrubber";
 
-/** Pressure scrubber: one position for the 3D view, the plots and the numbers. */
+/** Scrubber along the path: one position for the 3D view, the plots and the numbers. */
 export function ScrubBar() {
   const state = useStore(scrubber);
   const last = state.frames.length - 1;
   const index = frameIndex(state);
-  const pressure = shownPressure(state);
+  const at = shownPlace(state);
+  const unit = state.control === "pressure" ? "kPa" : "ml";
   const share = last > 0 ? index / last : 0;
   return (
     <div className="scrub-bar">
@@ -26,15 +27,15 @@ export function ScrubBar() {
           step={1}
           value={index}
           disabled={last < 1}
-          aria-label="Pressure shown"
-          aria-valuetext={pressure === null ? "no answer yet" : `${pressure} kPa`}
+          aria-label={`${state.control === "pressure" ? "Pressure" : "Volume"} shown`}
+          aria-valuetext={at === null ? "no answer yet" : `${at} ${unit}`}
           data-testid="scrubber"
           onChange={(event) => scrubToFrame(event.currentTarget.valueAsNumber)}
         />
       </span>
       <output className="scrub-pressure" data-testid="scrub-pressure">
-        {pressure === null ? "—" : pressure.toFixed(1)}
-        <span className="unit">kPa</span>
+        {at === null ? "—" : at.toFixed(1).replace("-", "−")}
+        <span className="unit">{unit}</span>
       </output>
     </div>
   );

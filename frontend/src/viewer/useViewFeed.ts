@@ -4,7 +4,7 @@ import { usePick, useStore } from "../api/store";
 import { useShownFe } from "../results/shown";
 import { useTheme } from "../theme/theme";
 import { answers } from "../workbench/answers";
-import { sceneOf } from "../workbench/document";
+import { sceneOf } from "../workbench/loads";
 import { frameIndex, scrubber } from "../workbench/scrubber";
 import { colourFor, viewerSettings } from "./settings";
 import { openView, setDark, showContent, showFrame, view } from "./view";
@@ -34,7 +34,7 @@ export function useViewFeed(): void {
     if (jobId !== null) {
       showContent({ source: { kind: "job", job_id: jobId }, colour, undeformed, frame: null });
     } else if (answered) {
-      const source = { kind: "instant" as const, design: answered.design, scene: sceneOf(answered) };
+      const source = { kind: "instant" as const, design: answered.design, scene: sceneOf(answered.loads) };
       showContent({ source, colour, undeformed, frame: null }, view.get().content ? "at rest" : "now");
     }
   }, [answered, jobId, colour, undeformed]);

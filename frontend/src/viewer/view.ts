@@ -5,7 +5,9 @@ import { reconnections } from "../api/live";
 import { Store } from "../api/store";
 import type { ContentRequest } from "../api/types";
 import { dragging } from "../ui/dragging";
+import type { Control } from "../workbench/loads";
 import { setFrames } from "../workbench/scrubber";
+import { bench } from "../workbench/workbench";
 
 function putContent({ viewId, body }: Placed<ContentRequest>) {
   return take(api.PUT("/api/views/{view_id}/content", { params: { path: { view_id: viewId } }, body }));
@@ -34,6 +36,14 @@ export const view = new Store<ViewState>({
   problem: null,
   busy: false,
 });
+
+/** Places of the frames by what is in control on the bench, where the content knows them so. */
+function framesOf(content: ViewContent): [number[], Control] {
+  const { volumes_ml: volumes } = content;
+  const known = volumes.filter((volume) => volume !== null);
+  const control = bench.get()?.present.work.loads.control;
+  return control === "volume" && known.length === volumes.length ? [known, "volume"] : [content.pressures_kPa, "pressure"];
+}
 
 export type Colour = ContentRequest["colour"];
 export type Camera = "three-quarter" | "side" | "top" | "front";
@@ -67,7 +77,7 @@ const contents = new Lane<Placed<ContentRequest>, ViewContent>(
   putContent,
   ({ body }, content) => {
     patch({ content, problem: null, phase: "ready", busy: body !== wanted });
-    setFrames(content.pressures_kPa);
+    setFrames(...framesOf(content));
   },
   (_, error) => onFailure(error),
 );

@@ -3,9 +3,10 @@ import { api, ApiProblem, take } from "../api/client";
 import { Lane } from "../api/lane";
 import { reconnections } from "../api/live";
 import { Store } from "../api/store";
-import type { DesignCheck, Prediction, ProblemDetail, Result } from "../api/types";
+import type { DesignCheck, LeftOut, Prediction, ProblemDetail, Result } from "../api/types";
 import { dragging } from "../ui/dragging";
-import { sameDesign, sameQuestion, sceneOf, type DesignDocument, type Work } from "./document";
+import { sameDesign, sameQuestion, type DesignDocument, type Work } from "./document";
+import { sceneOf } from "./loads";
 import { latestInput } from "./latency";
 import { bench } from "./workbench";
 
@@ -20,6 +21,10 @@ export interface Answers {
   /** What is wrong with the design on the bench, from either question. */
   readonly designProblem: ProblemDetail | null;
   readonly sceneProblem: ProblemDetail | null;
+  /** Why the instant model has no answer to a question that finite elements may answer. */
+  readonly instantProblem: ProblemDetail | null;
+  /** Loads that the instant model cannot carry: `result` does not hold them. */
+  readonly leftOut: readonly LeftOut[];
   readonly unreachable: boolean;
 }
 
@@ -32,6 +37,8 @@ const NOTHING: Answers = {
   checked: null,
   designProblem: null,
   sceneProblem: null,
+  instantProblem: null,
+  leftOut: [],
   unreachable: false,
 };
 
@@ -53,7 +60,7 @@ function asProblem(error: unknown): ProblemDetail | null {
 }
 
 const predictions = new Lane<Question, Prediction>(
-  ({ work }) => take(api.POST("/api/predict", { body: { design: work.design, scene: sceneOf(work), rung: "energy", c: "computed" } })),
+  ({ work }) => take(api.POST("/api/predict", { body: { design: work.design, scene: sceneOf(work.loads), rung: "energy", c: "computed", beyond: "leave out" } })),
   ({ work, input }, answer) => {
     answers.update((now) => ({
       ...now,
@@ -62,13 +69,21 @@ const predictions = new Lane<Question, Prediction>(
       input,
       totalMs: answer.timings_ms.total ?? null,
       sceneProblem: null,
+      instantProblem: null,
+      leftOut: answer.left_out,
       unreachable: false,
     }));
     checkNext();
   },
   (_, error) => {
     const problem = asProblem(error);
-    answers.update((now) => ({ ...now, sceneProblem: problem, unreachable: problem === null }));
+    const beyond = problem?.kind === "question";
+    answers.update((now) => ({
+      ...now,
+      sceneProblem: beyond ? null : problem,
+      instantProblem: beyond ? problem : null,
+      unreachable: problem === null,
+    }));
     checkNext();
   },
 );

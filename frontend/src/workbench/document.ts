@@ -1,5 +1,6 @@
 /** What is being designed: parameters in border units, as the API's documents carry them. */
 import type { Parameter } from "../api/types";
+import { sameLoads, type Loads } from "./loads";
 
 export type Value = number | string;
 export type DesignDocument = Readonly<Record<string, Value>>;
@@ -7,9 +8,7 @@ export type DesignDocument = Readonly<Record<string, Value>>;
 export interface Work {
   readonly name: string;
   readonly design: DesignDocument;
-  /** End of the pressure path [kPa]. */
-  readonly pressureTo: number;
-  readonly gravity: boolean;
+  readonly loads: Loads;
 }
 
 export type Origin =
@@ -21,35 +20,6 @@ export type Origin =
       readonly number: number;
       readonly label: string | null;
     };
-
-const STANDARD_GRAVITY = [0, 0, -9.81];
-
-export interface SceneDocument {
-  [key: string]: unknown;
-  pressure_kPa: { to: number; steps: number | "auto" };
-  gravity_m_s2: number[] | null;
-}
-
-/** Points on the path of the instant answer, zero included. */
-const STEPS = 20;
-
-export function sceneOf(work: Work, steps: number | "auto" = STEPS): SceneDocument {
-  return {
-    pressure_kPa: { to: work.pressureTo, steps },
-    gravity_m_s2: work.gravity ? STANDARD_GRAVITY : null,
-  };
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null;
-}
-
-/** The page's part of a stored scene. */
-export function readScene(scene: Record<string, unknown>): Pick<Work, "pressureTo" | "gravity"> {
-  const pressure = scene.pressure_kPa;
-  const to = isRecord(pressure) && typeof pressure.to === "number" ? pressure.to : 30;
-  return { pressureTo: to, gravity: scene.gravity_m_s2 !== null };
-}
 
 export function readDesign(document: Record<string, unknown>): DesignDocument {
   const design: Record<string, Value> = {};
@@ -69,7 +39,7 @@ export function sameDesign(a: DesignDocument, b: DesignDocument): boolean {
 }
 
 export function sameQuestion(a: Work, b: Work): boolean {
-  return a.pressureTo === b.pressureTo && a.gravity === b.gravity && sameDesign(a.design, b.design);
+  return sameLoads(a.loads, b.loads) && sameDesign(a.design, b.design);
 }
 
 /** Number and unit as read in a sentence: "4 mm", "45°", "6". */

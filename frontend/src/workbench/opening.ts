@@ -3,7 +3,8 @@ import { goTo, type Address } from "../app/address";
 import { api, take } from "../api/client";
 import { keys, presets, queryClient, version } from "../api/queries";
 import type { Preset, VersionDetail } from "../api/types";
-import { readDesign, readScene, sceneOf, type Origin, type Work } from "./document";
+import { readDesign, type Origin, type Work } from "./document";
+import { pressureLoads, readLoads, sceneOf } from "./loads";
 import { readSlot, slotOf } from "./slots";
 import { isChanged, start, type Snapshot } from "./timeline";
 import { bench, lay, moveToVersion, replaceDesign } from "./workbench";
@@ -16,8 +17,7 @@ function presetWork(preset: Preset): { work: Work; origin: Origin } {
     work: {
       name: preset.title,
       design: readDesign(preset.design),
-      pressureTo: preset.pressure_to_kPa,
-      gravity: true,
+      loads: pressureLoads(preset.pressure_to_kPa),
     },
     origin: { kind: "preset", preset: preset.name, title: preset.title },
   };
@@ -37,7 +37,7 @@ function versionSnapshot(detail: VersionDetail): Snapshot {
   const work: Work = {
     name: detail.design_name,
     design: readDesign(detail.design),
-    ...readScene(detail.scene),
+    loads: readLoads(detail.scene),
   };
   return { work, baseline: work, origin: versionOrigin(detail) };
 }
@@ -88,7 +88,7 @@ export function openVersion(versionId: string): void {
 
 async function store(snapshot: Snapshot, note: string): Promise<VersionDetail> {
   const { work, origin } = snapshot;
-  const scene = sceneOf(work, "auto");
+  const scene = sceneOf(work.loads, "auto");
   if (origin.kind === "preset") {
     const body = { name: work.name, design: work.design, scene, note };
     return (await take(api.POST("/api/designs", { body }))).version;

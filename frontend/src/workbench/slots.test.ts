@@ -2,10 +2,11 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { Work } from "./document";
+import { pressureLoads } from "./loads";
 import { clearSlot, readSlot, slotOf, writeSlot } from "./slots";
 import { edit, start } from "./timeline";
 
-const work: Work = { name: "Finger", design: { family: "slab", length_mm: 89 }, pressureTo: 40, gravity: true };
+const work: Work = { name: "Finger", design: { family: "slab", length_mm: 89 }, loads: pressureLoads(40) };
 const opened = start({ work, baseline: work, origin: { kind: "preset", preset: "p", title: "P" } });
 
 describe("slots", () => {

@@ -1,5 +1,7 @@
 /** Unsaved work in the browser's storage, one slot for each address, so that no reload loses it. */
-import type { Timeline } from "./timeline";
+import type { Work } from "./document";
+import { pressureLoads } from "./loads";
+import type { Snapshot, Timeline } from "./timeline";
 
 const PREFIX = "pneustudio.work.2:";
 /** Steps back that survive a reload. */
@@ -13,15 +15,37 @@ export function readSlot(slot: string): Timeline | null {
   const text = localStorage.getItem(PREFIX + slot);
   if (text === null) return null;
   try {
-    const timeline = JSON.parse(text) as Timeline;
-    const { work, baseline } = timeline.present;
-    if (typeof work.pressureTo !== "number" || typeof baseline.design !== "object") return null;
-    return { ...timeline, gesture: null };
+    const { present, past, future } = JSON.parse(text) as Timeline;
+    return {
+      present: snapshot(present),
+      past: past.map(snapshot),
+      future: future.map(snapshot),
+      gesture: null,
+    };
   } catch {
     // Not ours, or from another version of the page: begin anew.
     localStorage.removeItem(PREFIX + slot);
     return null;
   }
+}
+
+/** Work as earlier pages kept it had a pressure and a gravity that was there or not. */
+interface EarlierWork {
+  pressureTo?: unknown;
+  gravity?: unknown;
+}
+
+function upToDate(work: Work & EarlierWork): Work {
+  if (typeof work.design !== "object") throw new TypeError("no design");
+  if (typeof work.loads === "object") return work;
+  const { pressureTo, gravity, ...rest } = work;
+  if (typeof pressureTo !== "number") throw new TypeError("no loads");
+  const loads = pressureLoads(pressureTo);
+  return { ...rest, loads: gravity === false ? { ...loads, gravity: null } : loads };
+}
+
+function snapshot({ work, baseline, origin }: Snapshot): Snapshot {
+  return { work: upToDate(work), baseline: upToDate(baseline), origin };
 }
 
 export function writeSlot(slot: string, timeline: Timeline): void {

@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
 
 import type { Work } from "./document";
+import { pressureLoads } from "./loads";
 import { edit, endGesture, isChanged, redo, replace, saved, start, undo, type Snapshot } from "./timeline";
 
-const work: Work = { name: "Finger", design: { family: "slab", bottom_thickness_mm: 4 }, pressureTo: 40, gravity: true };
+const work: Work = { name: "Finger", design: { family: "slab", bottom_thickness_mm: 4 }, loads: pressureLoads(40) };
 const origin = { kind: "preset", preset: "slab-rectangle-low", title: "Slab" } as const;
 const opened: Snapshot = { work, baseline: work, origin };
 const thick = (value: number): Work => ({ ...work, design: { ...work.design, bottom_thickness_mm: value } });
@@ -22,7 +23,7 @@ describe("timeline", () => {
     let line = edit(start(opened), thick(5), "bottom_thickness_mm", 0);
     line = edit(endGesture(line), thick(6), "bottom_thickness_mm", 10);
     line = edit(line, thick(7), "bottom_thickness_mm", 5000);
-    line = edit(line, { ...thick(7), pressureTo: 10 }, "pressureTo", 5001);
+    line = edit(line, { ...thick(7), loads: pressureLoads(10) }, "pressure", 5001);
     expect(line.past).toHaveLength(4);
   });
 

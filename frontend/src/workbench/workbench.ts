@@ -2,6 +2,7 @@
 import { Store } from "../api/store";
 import { markInput } from "./latency";
 import type { DesignDocument, Origin, Value, Work } from "./document";
+import type { Loads } from "./loads";
 import * as slots from "./slots";
 import * as timelines from "./timeline";
 import type { Timeline } from "./timeline";
@@ -58,12 +59,9 @@ export function setParameters(key: string, values: DesignDocument): void {
   editWork(key, (work) => ({ ...work, design: { ...work.design, ...values } }));
 }
 
-export function setPressureTo(pressureTo: number): void {
-  editWork("pressureTo", (work) => ({ ...work, pressureTo }));
-}
-
-export function setGravity(gravity: boolean): void {
-  editWork("gravity", (work) => ({ ...work, gravity }));
+/** `key` names the entry moved: "pressure", "plate.gap", ... */
+export function setLoads(key: string, change: Partial<Loads>): void {
+  editWork(key, (work) => ({ ...work, loads: { ...work.loads, ...change } }));
 }
 
 /** A name is not a question: it neither asks anew nor counts as a change of the design. */

@@ -1,0 +1,38 @@
+/** Entries of a scene as the page shows them, and where a refusal belongs. */
+import type { Loads } from "../workbench/loads";
+
+const LABELS = {
+  pressure: "Pressure to",
+  volume: "Volume to",
+  gravity: "Gravity",
+  outside_pressure: "Outside pressure",
+  tip_force: "Tip force",
+  "plate.gap": "Plate, gap",
+  "plate.normal": "Plate, side",
+  "cylinder.radius": "Cylinder, radius",
+  "cylinder.centre": "Cylinder, centre",
+  "cylinder.axis": "Cylinder, axis",
+  self_contact: "Self-contact",
+} as const;
+
+export type ScenePlace = keyof typeof LABELS;
+
+const PLACES = Object.keys(LABELS) as ScenePlace[];
+
+/** "scene.plate.gap_mm" is "plate.gap"; null for what is no entry of a scene. */
+export function placeInScene(field: string, loads: Loads): ScenePlace | null {
+  const path = field
+    .replace(/^scene\./, "")
+    .replace(/^effects(\.|$)/, "self_contact")
+    .replace(/_(kPa|ml|mm|N|m_s2)(?=\.|$)/g, "")
+    .replace(/\.to$/, "");
+  if (path === "steps") return loads.control;
+  if (path === "plate") return "plate.gap";
+  if (path === "cylinder") return "cylinder.centre";
+  if (path.startsWith("self_contact")) return "self_contact";
+  return PLACES.find((place) => place === path) ?? null;
+}
+
+export function labelOf(place: ScenePlace): string {
+  return LABELS[place];
+}
