@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from actuators.geometry import Body
 from actuators.mechanics.continuum.estimates import JUDGED, change, estimates, measure
+from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.level import Level, condensed_size, open_level
 from actuators.mechanics.continuum.levels import Layers
 from actuators.mechanics.continuum.path import Path
@@ -29,11 +30,11 @@ class Climb:
         body: Body,
         scene: Scene,
         ladder: Sequence[Layers],
-        report: Sequence[float] | None,
+        goal: Goal,
         monitor: Monitor,
     ) -> None:
         self._body, self._scene, self._ladder = body, scene, ladder
-        self._report, self._monitor = report, monitor
+        self._goal, self._monitor = goal, monitor
 
     def answer(self, coarse: Level, path: Path, accuracy: float) -> Answer:
         """Solve the anchor on finer and finer meshes until the estimated errors are below
@@ -41,8 +42,9 @@ class Climb:
         answer = Answer(coarse.system, path, {}, path.iterations, None, len(path.points))
         if not path.points or path.outcome in (Outcome.CANCELLED, Outcome.BUDGET_SPENT):
             return answer
-        before = Anchor(coarse.system, path.points[shared_points(path) - 1])
-        limit = path.points[-1].pressure if path.outcome is not Outcome.CONVERGED else None
+        shared = shared_points(path)
+        before = Anchor(coarse.system, path.points[shared - 1])
+        limit = path.limit.pressure if path.limit is not None else None
         measured = measure(before.system, before.found, limit)
         best: tuple[Refinement, Anchor, Path | None] | None = None
         for number, layers in enumerate(self._ladder):
@@ -50,14 +52,18 @@ class Climb:
             if condensed_size(mesh) > MOST_UNKNOWNS:
                 answer.too_large = condensed_size(mesh)
                 break
-            refinement = self._refinement(number, mesh, coarse, path)
+            refinement = self._refinement(number, mesh, coarse, path, shared)
             anchor = refinement.anchor(before)
+            if refinement.shared < shared:
+                shared = refinement.shared
+                before = Anchor(coarse.system, path.points[shared - 1])
+                measured = measure(before.system, before.found, measured.limit_pressure)
             rest = self._beyond(refinement, anchor)
             answer.iterations += refinement.iterations
             answer.stopped = self._monitor.stop()
             if anchor is None or answer.stopped is not None:
                 break
-            limit = rest.points[-1].pressure if rest and rest.points else None
+            limit = refinement.limit_pressure(anchor, rest)
             finer = measure(anchor.system, anchor.found, limit)
             answer.errors = estimates(change(measured, finer), layers)
             before, measured, best = anchor, finer, (refinement, anchor, rest)
@@ -69,7 +75,9 @@ class Climb:
             self._finish(answer, *best, accuracy)
         return answer
 
-    def _refinement(self, number: int, mesh: HexMesh, coarse: Level, path: Path) -> Refinement:
+    def _refinement(
+        self, number: int, mesh: HexMesh, coarse: Level, path: Path, shared: int
+    ) -> Refinement:
         base = SHARE_OF_PATH + (LAST_SHARE - SHARE_OF_PATH) * number / len(self._ladder)
         message = f"finer mesh, {condensed_size(mesh)} unknowns"
         self._monitor.report(base, message)
@@ -79,13 +87,14 @@ class Climb:
 
         fine = open_level(mesh, self._scene)
         return Refinement(
-            coarse.system, fine.system, fine.solver, path, stop=self._monitor.stop, watch=watch
-        )
+            coarse.system, fine.system, fine.solver, path, shared=shared,
+            stop=self._monitor.stop, watch=watch,
+        )  # fmt: skip
 
     def _beyond(self, refinement: Refinement, anchor: Anchor | None) -> Path | None:
         if anchor is None:
             return None
-        return refinement.beyond(anchor, self._scene.pressure_to or 0.0, self._report)
+        return refinement.beyond(anchor, self._goal)
 
     def _finish(
         self,

@@ -1,6 +1,7 @@
 """What a designer must read beside the numbers: effects, notes, advice when a path ends early."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -15,28 +16,69 @@ VISIBLE_OVERLAP = 0.01e-3
 
 def advice(path: Path, points: Sequence[PathPoint], scene: Scene) -> str | None:
     """One or two sentences on a path that did not reach its end."""
-    reached = points[-1].pressure / 1e3 if points else 0.0
-    asked = (scene.pressure_to or 0.0) / 1e3
+    reached = f"{points[-1].pressure / 1e3:.3g} kPa" if points else "0 kPa"
+    if points and path.by_volume:
+        reached = f"{1e6 * (points[-1].cavity_volume or 0.0):.4g} ml ({reached})"
+    suction = (scene.pressure_to or 0.0) < 0
     if path.outcome is Outcome.LIMIT_POINT:
+        asked = (scene.pressure_to or 0.0) / 1e3
+        beyond = "collapse" if suction else "balloon"
+        change = (
+            "Stay above it, or thicken roof and walls."
+            if suction
+            else "Stay below it, thicken roof and walls, or choose a stiffer or strain-stiffening "
+            "material."
+        )
         return (
-            f"No equilibrium above {reached:.3g} kPa ({asked:.4g} kPa were asked for): there the "
-            "pressure has its maximum, and beyond it the chambers would balloon. Stay below it, "
-            "thicken roof and walls, or choose a stiffer or strain-stiffening material."
+            f"No equilibrium {'below' if suction else 'above'} {reached} ({asked:.4g} kPa were "
+            f"asked for): there the pressure has its {'minimum' if suction else 'maximum'}, and "
+            f"beyond it the chambers would {beyond}. {change}"
         )
     if path.outcome is Outcome.STALLED:
+        less = "less change of volume" if path.by_volume else "a lower pressure"
         return (
-            f"The computation found no further equilibrium beyond {reached:.3g} kPa, and no proof "
-            f"that there is none ({path.reason}). Ask for a lower pressure, or check the design "
-            "for very thin walls."
+            f"The computation found no further equilibrium beyond {reached}, and no proof "
+            f"that there is none ({path.reason}). Ask for {'less suction' if suction else less}, "
+            "or check the design for very thin walls."
         )
     if path.outcome is Outcome.CANCELLED:
-        return f"Cancelled at {reached:.3g} kPa; the part found so far is kept."
+        return f"Cancelled at {reached}; the part found so far is kept."
     if path.outcome is Outcome.BUDGET_SPENT:
         return (
-            f"The time allowed was spent at {reached:.3g} kPa; the part found so far is kept. "
+            f"The time allowed was spent at {reached}; the part found so far is kept. "
             "Allow more time or ask for less accuracy."
         )
     return None
+
+
+def path_notes(path: Path, parts: float) -> list[str]:
+    """Notes on limit points that a path towards a volume has passed; ``parts`` like the mesh make
+    the body."""
+    if not path.by_volume:
+        return []
+    notes: list[str] = []
+    if path.limit is not None:
+        notes.append(
+            f"The pressure has its maximum of {path.limit.pressure / 1e3:.3g} kPa at "
+            f"{parts * path.limit.volume * 1e6:.4g} ml: a source of constant pressure makes the "
+            "chambers balloon there, a syringe does not."
+            if path.limit.pressure > 0
+            else f"Suction is strongest, {-path.limit.pressure / 1e3:.3g} kPa, at "
+            f"{parts * path.limit.volume * 1e6:.4g} ml: a source of constant suction makes the "
+            "chambers collapse there, a syringe does not."
+        )
+    turned = [
+        one.volume
+        for one, other in pairwise(path.points)
+        if (one.volume - path.points[0].volume) * (other.volume - one.volume) < 0
+    ]
+    if turned:
+        notes.append(
+            f"At {parts * turned[0] * 1e6:.4g} ml the volume itself turns back along the path: one "
+            "chamber runs away and drains the others. A real actuator leaps there to a later point "
+            "of the path with the same volume."
+        )
+    return notes
 
 
 def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
@@ -70,9 +112,10 @@ def effects(
     scene: Scene, points: Sequence[PathPoint], overlap: str | None, has_gaps: bool, is_half: bool
 ) -> tuple[Effect, ...]:
     """Every effect with the reason why it is on or off."""
+    alone = scene.outside_pressure == 0.0 and scene.tip_force is None
     if scene.gravity is None:
         gravity = Effect("gravity", False, "switched off in the scene")
-    elif points:
+    elif points and alone:
         droop = float(np.linalg.norm(points[0].tip_displacement)) * 1e3
         gravity = Effect("gravity", True, f"its own weight alone moves the tip by {droop:.3g} mm")
     else:
@@ -87,6 +130,7 @@ def effects(
     half = "half of the body is computed" if is_half else "the whole body is computed"
     return (
         gravity,
+        *_outer_effects(scene),
         Effect("finite_strain", True, f"stretches reach {stretch:.2f}"),
         Effect("follower_pressure", True, "pressure stays normal to the deformed cavity"),
         Effect("self_contact", False, contact),
@@ -94,3 +138,23 @@ def effects(
         Effect("inertia", False, "equilibrium only: slow inflation"),
         Effect("viscoelasticity", False, "the materials' records are elastic"),
     )
+
+
+def _outer_effects(scene: Scene) -> list[Effect]:
+    """Effects of the loads on the outside, for those there are."""
+    found: list[Effect] = []
+    if scene.outside_pressure != 0.0:
+        size = scene.outside_pressure / 1e3
+        found.append(
+            Effect(
+                "outside_pressure",
+                True,
+                f"{size:.4g} kPa on the underside, always normal",
+            )
+        )
+    if scene.tip_force is not None:
+        force = ", ".join(f"{x:.4g}" for x in scene.tip_force)
+        found.append(
+            Effect("tip_force", True, f"({force}) N, spread over the free end; does not turn")
+        )
+    return found

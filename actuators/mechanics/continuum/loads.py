@@ -7,8 +7,6 @@ from actuators.mechanics.scene import Scene
 def check_loads(scene: Scene) -> None:
     """Refuse what this solver does not compute."""
     missing = {
-        "volume": scene.volume_to is not None,
-        "pressure": (scene.pressure_to or 0.0) < 0.0,
         "plate": scene.plate is not None,
         "cylinder": scene.cylinder is not None,
         "self_contact": scene.self_contact == "on",
@@ -16,7 +14,7 @@ def check_loads(scene: Scene) -> None:
     for name, there in missing.items():
         if there:
             raise QuestionError(
-                f"{name} of this scene is not something this version computes: it knows pressure "
-                f"from zero up, weight, outside pressure and tip force. Leave {name} out.",
+                f"{name} of this scene is not something this version computes: it knows "
+                f"pressure, volume, weight, outside pressure and tip force. Leave {name} out.",
                 field=name, mend=f"Leave {name} out.",
             )  # fmt: skip

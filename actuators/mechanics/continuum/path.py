@@ -57,16 +57,17 @@ Watch = Callable[[float, float], None]
 
 @dataclass(eq=False)
 class Path:
-    """Equilibria found, in order; ``beyond`` is a state past the limit point, where one was solved:
+    """Equilibria found, in order. ``beyond``: a state past the limit point, where one was solved:
     the proof that the pressure falls there. ``limit``: the first maximum of the pressure (of
-    suction, a minimum) met on the way. ``by_arc``: how many of the last points need arc length,
-    where volume control no longer leads on."""
+    suction, a minimum) met on the way. ``by_volume``: whether a volume was the goal. ``by_arc``:
+    how many of the last points need arc length, where volume control no longer leads on."""
 
     points: list[Equilibrium] = field(default_factory=list)
     outcome: Outcome = Outcome.CONVERGED
     reason: str = ""
     beyond: Equilibrium | None = None
     limit: Equilibrium | None = None
+    by_volume: bool = False
     by_arc: int = 0
     iterations: int = 0
 
@@ -114,6 +115,7 @@ class PathFollower:
             return []
         self._told = lambda found: self._watch(goal.share(first, found), found.pressure)
         stops = goal.left(first, last)
+        self._path.by_volume = goal.by_volume
         if goal.by_volume:
             return self._fill(history, goal.value, stops)
         return self._inflate(history, goal.value, stops)

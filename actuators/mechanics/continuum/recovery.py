@@ -6,7 +6,13 @@ import numpy as np
 
 from actuators.design.base import Design
 from actuators.mechanics.continuum.estimates import JUDGED
-from actuators.mechanics.continuum.findings import advice, effects, overlap_note, range_notes
+from actuators.mechanics.continuum.findings import (
+    advice,
+    effects,
+    overlap_note,
+    path_notes,
+    range_notes,
+)
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sections import RodShape, rod_shape
 from actuators.mechanics.continuum.surface_fields import StrainRecovery, surface_fields
@@ -14,6 +20,7 @@ from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.continuum.wall_overlap import has_gaps, wall_overlap
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.scene import Scene
+from actuators.meshing import HexMesh
 
 
 @dataclass(eq=False)
@@ -42,7 +49,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     largest = np.array([_largest_stretches(system, strain.at_points(s)[0]) for s in states])
     points = _points(answer, shape, largest)
     note = overlap_note(points, wall_overlap(mesh, states))
-    notes = _notes(answer, accuracy)
+    notes = [*_notes(answer, accuracy), *path_notes(answer.path, halves(mesh))]
     if states:
         notes += range_notes(system.materials, largest.max(axis=0))
     if note is not None:
@@ -61,6 +68,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         surface=surface_fields(system, states, strain),
         error_estimate=answer.errors.get("tip"),
         error_estimates=answer.errors,
+        limit_pressure=path.limit.pressure if path.limit is not None else None,
         unknowns=system.unknowns,
         newton_iterations=answer.iterations,
         effects=effects(scene, points, note, has_gaps(mesh), mesh.is_half),
@@ -80,7 +88,7 @@ def _largest_stretches(system: ContinuumSystem, stretch: np.ndarray) -> list[flo
 def _points(answer: Answer, shape: RodShape, largest: np.ndarray) -> tuple[PathPoint, ...]:
     line = shape.centreline.positions
     clamp, rest = answer.system.mesh.nodes[answer.system.mesh.underside_line[[0, -1]]]
-    halves = 2.0 if answer.system.mesh.is_half else 1.0
+    parts = halves(answer.system.mesh)
     points: list[PathPoint] = []
     for k, found in enumerate(answer.path.points):
         tip = line[k, -1]
@@ -93,11 +101,16 @@ def _points(answer: Answer, shape: RodShape, largest: np.ndarray) -> tuple[PathP
                 bending_angle=float(np.arctan2(clamp[2] - tip[2], tip[0] - clamp[0])),
                 curvature=float(shape.curvature[k]),
                 torsion=float(shape.torsion[k]),
-                cavity_volume=halves * found.volume,
+                cavity_volume=parts * found.volume,
                 max_principal_stretch=float(largest[k].max()),
             )
         )
     return tuple(points)
+
+
+def halves(mesh: HexMesh) -> float:
+    """How many of the mesh make the body."""
+    return 2.0 if mesh.is_half else 1.0
 
 
 def _triple(x: np.ndarray) -> tuple[float, float, float]:

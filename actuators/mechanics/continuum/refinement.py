@@ -1,7 +1,7 @@
 """The same path on a finer mesh of the same body, started from the coarser answer."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -52,19 +52,21 @@ class Refinement:
         solver: SymmetricSolver,
         path: Path,
         *,
+        shared: int | None = None,
         stop: Callable[[], Outcome | None] = lambda: None,
         watch: Callable[[float], None] = lambda share: None,
     ) -> None:
-        self._fine, self._solver, self._path = fine, solver, path
+        self._coarse, self._fine, self._solver, self._path = coarse, fine, solver, path
         self._stop, self._watch = stop, watch
-        self._shared = shared_points(path)
-        self._starts = [_prolong(coarse, fine, e.state) for e in path.points[: self._shared]]
+        self.shared = shared if shared is not None else shared_points(path)
+        self._starts = [_prolong(coarse, fine, e.state) for e in path.points[: self.shared]]
         self._marched: dict[int, Equilibrium] = {}
         self.iterations = 0
 
     def anchor(self, previous: Anchor) -> Anchor | None:
-        """The anchor on the finer mesh, started from a coarser one; None where not found."""
-        last = self._shared - 1
+        """The anchor on the finer mesh, started from a coarser one; None where not found. Where
+        only points before it are found, :attr:`shared` shrinks to the last of them."""
+        last = self.shared - 1
         found = self._at(last, _prolong(previous.system, self._fine, previous.found.state))
         if found is None and self._stop() is None:
             found = self._march(last)
@@ -83,34 +85,49 @@ class Refinement:
             if result is not None:
                 at, found, step = goal, result, 2 * step
                 self._watch(0.5 * at / last)
-            elif step == 1 or self._stop() is not None:
+            elif self._stop() is not None or (step == 1 and at == 0):
                 return None
+            elif step == 1:
+                self.shared, self._starts = at + 1, self._starts[: at + 1]
+                return found
             else:
                 step //= 2
         return found
 
-    def beyond(
-        self, anchor: Anchor, pressure_to: float, report: Sequence[float] | None
-    ) -> Path | None:
-        """Points from the anchor to this mesh's own limit; None for a path that reached its end."""
-        if self._path.outcome is Outcome.CONVERGED:
+    def beyond(self, anchor: Anchor, goal: Goal) -> Path | None:
+        """Points from the anchor on, this mesh's own; None where every point is shared."""
+        if self.shared == len(self._path.points):
             return None
         history = [anchor.found]
-        if self._shared > 1:
+        if self.shared > 1:
             correction = _minus(anchor.found.state, self._starts[-1])
-            before = self._at(self._shared - 2, self._starts[-2].moved(1.0, correction))
+            before = self._at(self.shared - 2, self._starts[-2].moved(1.0, correction))
             history = [before, anchor.found] if before is not None else history
         follower = PathFollower(self._fine, self._solver, stop=self._stop)
-        goal = Goal.pressure(pressure_to, report)
         path = follower.resume(history, self._path.points[0], goal)
         self.iterations += path.iterations
         return path
+
+    def limit_pressure(self, anchor: Anchor, rest: Path | None) -> float | None:
+        """Maximum of the pressure on this mesh [Pa], None where the path met none."""
+        limit = self._limit(anchor, rest)
+        return limit.pressure if limit is not None else None
+
+    def _limit(self, anchor: Anchor, rest: Path | None) -> Equilibrium | None:
+        """The pressure's maximum: of the part that this mesh followed itself; on the part shared,
+        at the coarse maximum's volume, for there the pressure hardly depends on the volume."""
+        coarse = self._path.limit
+        if rest is not None or coarse is None or not self._path.by_volume:
+            return rest.limit if rest is not None else None
+        start = _prolong(self._coarse, self._fine, coarse.state)
+        start = start.moved(1.0, _minus(anchor.found.state, self._starts[-1]))
+        return self._solve(start, Target(coarse.pressure, volume=coarse.volume))
 
     def whole_path(self, anchor: Anchor, rest: Path | None, accuracy: float = 0.0) -> Refined:
         """All points, then ``rest``. From the first point and the anchor inwards, points are solved
         until the correction interpolated between solved ones meets a solved one within a tenth
         of ``accuracy``; each is started with that interpolation."""
-        last = self._shared - 1
+        last = self.shared - 1
         found: dict[int, Equilibrium] = {**self._marched, last: anchor.found}
         if last > 0 and self._solve_point(0, found) is not None:
             spans = [(0, last)]
@@ -122,8 +139,8 @@ class Refinement:
                 off = self._solve_point(middle, found)
                 if off is not None and off > accuracy / 10:
                     spans += [(low, middle), (middle, high)]
-                self._watch(len(found) / self._shared)
-        return self._assemble(found, rest)
+                self._watch(len(found) / self.shared)
+        return self._assemble(found, rest, self._limit(anchor, rest))
 
     def _middle(self, low: int, high: int) -> int:
         """Point nearest to the middle of a span in cavity volume."""
@@ -160,34 +177,61 @@ class Refinement:
         return state
 
     def _at(self, index: int, start: State) -> Equilibrium | None:
+        point = self._path.points[index]
+        by_volume = self._path.by_volume and index > 0
+        target = Target(point.pressure, volume=point.volume if by_volume else None)
+        return self._solve(start, target)
+
+    def _solve(self, start: State, target: Target) -> Equilibrium | None:
         result = solve_equilibrium(
-            self._fine, self._solver, start, Target(self._path.points[index].pressure),
+            self._fine, self._solver, start, target,
             cancelled=lambda: self._stop() is not None, lenience=MONOTONE,
         )  # fmt: skip
         self.iterations += result.iterations
         return result if isinstance(result, Equilibrium) else None
 
-    def _assemble(self, found: dict[int, Equilibrium], rest: Path | None) -> Refined:
+    def _assemble(
+        self, found: dict[int, Equilibrium], rest: Path | None, limit: Equilibrium | None
+    ) -> Refined:
         points: list[Equilibrium] = []
-        for index, coarse in enumerate(self._path.points[: self._shared]):
+        for index in range(self.shared):
             if index in found:
                 points.append(found[index])
                 continue
             state = self._interpolated(index, found)
             volume, _ = self._fine.volume(state)
-            points.append(Equilibrium(state, coarse.pressure, volume, 0, None))
-        if rest is None:
-            return Refined(Path(points, self._path.outcome, self._path.reason), len(found))
-        points += rest.points
-        return Refined(Path(points, rest.outcome, rest.reason), len(found) + len(rest.points))
+            pressure = self._interpolated_pressure(index, found)
+            points.append(Equilibrium(state, pressure, volume, 0, None))
+        last = self._path if rest is None else rest
+        solved = len(found)
+        if rest is not None:
+            points += rest.points
+            solved += len(rest.points)
+        return Refined(replace(last, points=points, limit=limit), solved)
+
+    def _interpolated_pressure(self, index: int, found: dict[int, Equilibrium]) -> float:
+        """A point's pressure: as it was prescribed, or corrected as the states are."""
+        coarse = self._path.points
+        if not self._path.by_volume:
+            return coarse[index].pressure
+        known = sorted(found, key=lambda i: coarse[i].volume)
+        change = [found[i].pressure - coarse[i].pressure for i in known]
+        at = [coarse[i].volume for i in known]
+        return coarse[index].pressure + float(np.interp(coarse[index].volume, at, change))
 
 
 def shared_points(path: Path) -> int:
-    """Number of points that every mesh can be expected to have."""
-    if path.outcome is Outcome.CONVERGED:
-        return len(path.points)
-    limit = path.points[-1].pressure
-    return max(1, sum(e.pressure <= NEAR_LIMIT * limit for e in path.points))
+    """Number of points that every mesh can be expected to have: all, or those well before the
+    path's early end or the turn of its volume."""
+    count = len(path.points) - path.by_arc
+    if path.outcome is Outcome.CONVERGED and path.by_arc == 0:
+        return count
+    first = path.points[0]
+    done = [
+        abs(e.volume - first.volume) if path.by_volume else abs(e.pressure)
+        for e in path.points[:count]
+    ]
+    return max(1, sum(share <= NEAR_LIMIT * done[-1] for share in done))
 
 
 def _prolong(coarse: ContinuumSystem, fine: ContinuumSystem, state: State) -> State:

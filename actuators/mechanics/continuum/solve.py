@@ -11,6 +11,7 @@ from actuators.design.base import Design
 from actuators.errors import QuestionError
 from actuators.geometry import Body, build_body
 from actuators.mechanics.continuum.climb import SHARE_OF_PATH, Climb
+from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.levels import MeshChoice, layers_of, levels_of
 from actuators.mechanics.continuum.loads import check_loads
@@ -90,9 +91,10 @@ def solve_body(
     monitor.report(0.0, "meshing")
     level = open_level(mesh_body(body, layers=coarsest), scene)
     marks = [monitor.elapsed]
-    path = _coarse_path(level, scene, monitor)
+    goal = Goal.of(scene, is_half=level.system.mesh.is_half)
+    path = _coarse_path(level, scene, goal, monitor)
     marks.append(monitor.elapsed)
-    answer = Climb(body, scene, ladder, _report(scene), monitor).answer(level, path, accuracy)
+    answer = Climb(body, scene, ladder, goal, monitor).answer(level, path, accuracy)
     answer.chosen = mesh is not None
     marks.append(monitor.elapsed)
     monitor.report(0.98, "fields on the surface")
@@ -105,22 +107,12 @@ def solve_body(
     return Solution(timed, answer)
 
 
-def _report(scene: Scene) -> list[float] | None:
-    """Pressures to report [Pa], None to leave it to the path."""
-    if scene.steps is None:
-        return None
-    pressure_to = scene.pressure_to or 0.0
-    return [pressure_to * (i + 1) / scene.steps for i in range(scene.steps)]
-
-
-def _coarse_path(level: Level, scene: Scene, monitor: Monitor) -> Path:
-    pressure_to = scene.pressure_to or 0.0
-
+def _coarse_path(level: Level, scene: Scene, goal: Goal, monitor: Monitor) -> Path:
     def watch(share: float, pressure: float) -> None:
         monitor.report(SHARE_OF_PATH * share, f"coarse mesh at {pressure / 1e3:.3g} kPa", pressure)
 
     loaded = scene.gravity or scene.tip_force or scene.outside_pressure
-    first = "own weight and loads" if loaded else "first pressure step"
+    first = "own weight and loads" if loaded else "first step"
     monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
     follower = PathFollower(level.system, level.solver, stop=monitor.stop, watch=watch)
-    return follower.follow(pressure_to, _report(scene))
+    return follower.reach(goal)

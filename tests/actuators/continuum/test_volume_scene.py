@@ -1,0 +1,67 @@
+"""Scenes that prescribe the cavity's volume, or suction, answered as a whole."""
+
+import numpy as np
+import pytest
+
+from actuators.design import preset
+from actuators.mechanics.continuum import solve
+from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.scene import Scene
+
+SMALL = preset("slab-rectangle-low").design.changed(
+    chamber_count=2, length=36, width=20, roof_thickness=1.5,
+    top_material="ecoflex-00-30-neo-hooke",
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def by_pressure() -> Response:
+    return solve(SMALL, Scene(40e3), accuracy=0.2)
+
+
+@pytest.fixture(scope="module")
+def by_volume(by_pressure: Response) -> Response:
+    volumes = [p.cavity_volume or 0.0 for p in by_pressure.path]
+    return solve(SMALL, Scene(volume_to=2 * volumes[-1], steps=6), accuracy=0.2)
+
+
+def test_a_volume_beyond_the_limit_is_reached_and_the_limit_named(
+    by_pressure: Response, by_volume: Response
+) -> None:
+    assert by_pressure.outcome is Outcome.LIMIT_POINT
+    assert by_volume.outcome is Outcome.CONVERGED
+    assert by_volume.advice is None
+    assert by_pressure.limit_pressure == pytest.approx(by_pressure.path[-1].pressure)
+    assert by_volume.limit_pressure == pytest.approx(by_pressure.limit_pressure, rel=0.02)
+    assert by_volume.path[-1].pressure < 0.99 * (by_volume.limit_pressure or 0.0)
+    assert any("maximum" in note for note in by_volume.notes)
+    assert by_volume.to_document()["limit_pressure_kPa"] == pytest.approx(
+        (by_volume.limit_pressure or 0.0) / 1e3
+    )
+
+
+def test_volumes_are_reported_in_equal_steps_with_their_pressures(by_volume: Response) -> None:
+    volumes = np.array([p.cavity_volume or 0.0 for p in by_volume.path])
+    assert len(volumes) == 7
+    assert volumes == pytest.approx(np.linspace(volumes[0], volumes[-1], 7), rel=1e-3)
+    assert by_volume.path[0].pressure == 0.0
+    assert by_volume.path[1].pressure > 0.0
+    assert by_volume.error_estimate is not None
+
+
+def test_the_same_volume_has_the_same_pressure_either_way(by_pressure: Response) -> None:
+    point = by_pressure.path[len(by_pressure.path) // 2]
+    again = solve(SMALL, Scene(volume_to=point.cavity_volume, steps=1), accuracy=0.2)
+    assert again.path[-1].pressure == pytest.approx(point.pressure, rel=0.03)
+    assert again.limit_pressure is None
+
+
+def test_suction_bends_the_other_way() -> None:
+    floating = Scene(-2e3, steps=2, gravity=None)
+    found = solve(SMALL, floating, accuracy=0.2)
+    assert [p.pressure for p in found.path] == pytest.approx([0.0, -1e3, -2e3])
+    assert found.path[-1].bending_angle < found.path[1].bending_angle < 0.0
+    smaller = found.path[-1].cavity_volume or 0.0
+    drawn = solve(SMALL, Scene(volume_to=smaller, steps=1, gravity=None), accuracy=0.2)
+    assert drawn.path[-1].pressure == pytest.approx(-2e3, rel=0.05)
+    assert drawn.path[-1].bending_angle == pytest.approx(found.path[-1].bending_angle, rel=0.05)
