@@ -4,12 +4,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from actuators.mechanics.continuum.contact.report import obstacle_force
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.sections import rod_shape
 from actuators.mechanics.continuum.system import ContinuumSystem
 
 SAFETY = 1.25
 """Factor on what a change tells; see docs/performance.md for true errors beside estimates."""
+UNSEEN = 0.01
+UNSEEN_GROWTH = 0.06
+"""What each direction that was not refined may hide, whatever the change: 1 % of the judged
+quantities and 6 % of the cavity's growth (oblique-90 hides that much in the third)."""
 JUDGED = ("tip", "angle", "force", "limit_pressure")
 """Quantities that must be as accurate as asked for; the cavity's growth is estimated only."""
 
@@ -17,8 +22,8 @@ JUDGED = ("tip", "angle", "force", "limit_pressure")
 @dataclass(frozen=True, eq=False)
 class Measured:
     """One mesh's answer at the path's last shared point: ``tip`` displacement (3,) [m], ``angle``
-    by which the free end has turned [rad], ``growth`` of the cavity [m3]; ``force`` on a plate
-    [N] and ``limit_pressure`` [Pa] where there are such."""
+    by which the free end has turned [rad], ``growth`` of the cavity [m3]; ``force`` on an
+    obstacle [N] and ``limit_pressure`` [Pa] where there are such."""
 
     tip: np.ndarray
     angle: float
@@ -41,6 +46,7 @@ def measure(
         growth=found.volume - rest,
         size=float(np.ptp(mesh.nodes[:, 0])),
         rest_volume=rest,
+        force=obstacle_force(system, found),
         limit_pressure=limit_pressure,
     )
 
@@ -74,5 +80,11 @@ def estimates(last: dict[str, float], layers: tuple[int, int, int]) -> dict[str,
     Meshes are refined in one direction after the other, and a change tells nothing about
     directions not refined yet: each of those is taken to owe as much again.
     """
-    owed = 1 + sum(n == 0 for n in layers)
-    return {name: SAFETY * owed * value for name, value in last.items()}
+    unseen = sum(n == 0 for n in layers)
+    return {
+        name: max(
+            SAFETY * (1 + unseen) * value,
+            unseen * (UNSEEN_GROWTH if name == "volume" else UNSEEN),
+        )
+        for name, value in last.items()
+    }

@@ -93,8 +93,8 @@ def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
         onset = points[first - 1].pressure + share * (onset - points[first - 1].pressure)
     return (
         f"Neighbouring walls overlap from about {onset / 1e3:.3g} kPa on, by up to "
-        f"{depth[worst] * 1e3:.2g} mm (at {points[worst].pressure / 1e3:.3g} kPa): this version "
-        "has no contact between walls, and beyond that pressure the result is not physical."
+        f"{depth[worst] * 1e3:.2g} mm (at {points[worst].pressure / 1e3:.3g} kPa): contact is "
+        "switched off in the scene, and beyond that pressure the result is not physical."
     )
 
 
@@ -109,9 +109,9 @@ def range_notes(materials: Sequence[Material], largest: Sequence[float]) -> list
 
 
 def effects(
-    scene: Scene, points: Sequence[PathPoint], overlap: str | None, has_gaps: bool, is_half: bool
+    scene: Scene, points: Sequence[PathPoint], contact: Sequence[Effect], is_half: bool
 ) -> tuple[Effect, ...]:
-    """Every effect with the reason why it is on or off."""
+    """Every effect with the reason why it is on or off; ``contact``: those of surfaces."""
     alone = scene.outside_pressure == 0.0 and scene.tip_force is None
     if scene.gravity is None:
         gravity = Effect("gravity", False, "switched off in the scene")
@@ -121,19 +121,13 @@ def effects(
     else:
         gravity = Effect("gravity", True, "asked for in the scene")
     stretch = max((p.max_principal_stretch or 1.0 for p in points), default=1.0)
-    if overlap is not None:
-        contact = f"contact between walls comes in a later version. {overlap}"
-    elif has_gaps:
-        contact = "contact between walls comes in a later version; no walls overlap in this result"
-    else:
-        contact = "no open gaps between chambers; contact of the body with itself is not looked for"
     half = "half of the body is computed" if is_half else "the whole body is computed"
     return (
         gravity,
         *_outer_effects(scene),
         Effect("finite_strain", True, f"stretches reach {stretch:.2f}"),
         Effect("follower_pressure", True, "pressure stays normal to the deformed cavity"),
-        Effect("self_contact", False, contact),
+        *contact,
         Effect("symmetry", is_half, half),
         Effect("inertia", False, "equilibrium only: slow inflation"),
         Effect("viscoelasticity", False, "the materials' records are elastic"),

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from actuators.mechanics.continuum.assembly import region_materials
+from actuators.mechanics.continuum.contact.build import interactions
 from actuators.mechanics.continuum.outer_loads import outer_loads
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
@@ -20,9 +21,10 @@ class Level:
 
 def open_level(mesh: HexMesh, scene: Scene) -> Level:
     """Equations of ``scene`` on ``mesh``."""
+    materials = region_materials(mesh)
     system = ContinuumSystem(
-        mesh, region_materials(mesh), free=clamped(mesh), gravity=scene.gravity,
-        outer_loads=outer_loads(mesh, scene),
+        mesh, materials, free=clamped(mesh), gravity=scene.gravity,
+        outer_loads=outer_loads(mesh, scene), interactions=interactions(mesh, materials, scene),
     )  # fmt: skip
     return Level(system, open_solver(system.indptr, system.indices))
 

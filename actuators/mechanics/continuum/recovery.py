@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.mechanics.continuum.contact.effects import contact_effects
+from actuators.mechanics.continuum.contact.report import ContactReport, contact_report
 from actuators.mechanics.continuum.estimates import JUDGED
 from actuators.mechanics.continuum.findings import (
     advice,
@@ -17,7 +19,7 @@ from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sections import RodShape, rod_shape
 from actuators.mechanics.continuum.surface_fields import StrainRecovery, surface_fields
 from actuators.mechanics.continuum.system import ContinuumSystem
-from actuators.mechanics.continuum.wall_overlap import has_gaps, wall_overlap
+from actuators.mechanics.continuum.wall_overlap import wall_overlap
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
@@ -47,8 +49,11 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     shape = rod_shape(mesh, states)
     strain = StrainRecovery(system)
     largest = np.array([_largest_stretches(system, strain.at_points(s)[0]) for s in states])
-    points = _points(answer, shape, largest)
-    note = overlap_note(points, wall_overlap(mesh, states))
+    touching = contact_report(system, answer.path.points)
+    points = _points(answer, shape, largest, touching)
+    note = None
+    if touching.itself is None:
+        note = overlap_note(points, wall_overlap(mesh, states))
     notes = [*_notes(answer, accuracy), *path_notes(answer.path, halves(mesh))]
     if states:
         notes += range_notes(system.materials, largest.max(axis=0))
@@ -71,7 +76,9 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         limit_pressure=path.limit.pressure if path.limit is not None else None,
         unknowns=system.unknowns,
         newton_iterations=answer.iterations,
-        effects=effects(scene, points, note, has_gaps(mesh), mesh.is_half),
+        effects=effects(
+            scene, points, contact_effects(scene, points, touching, note), mesh.is_half
+        ),
         notes=tuple(notes),
     )
 
@@ -85,7 +92,9 @@ def _largest_stretches(system: ContinuumSystem, stretch: np.ndarray) -> list[flo
     ]
 
 
-def _points(answer: Answer, shape: RodShape, largest: np.ndarray) -> tuple[PathPoint, ...]:
+def _points(
+    answer: Answer, shape: RodShape, largest: np.ndarray, touching: ContactReport
+) -> tuple[PathPoint, ...]:
     line = shape.centreline.positions
     clamp, rest = answer.system.mesh.nodes[answer.system.mesh.underside_line[[0, -1]]]
     parts = halves(answer.system.mesh)
@@ -103,9 +112,16 @@ def _points(answer: Answer, shape: RodShape, largest: np.ndarray) -> tuple[PathP
                 torsion=float(shape.torsion[k]),
                 cavity_volume=parts * found.volume,
                 max_principal_stretch=float(largest[k].max()),
+                plate_force=_at(touching.plate and touching.plate.force, k),
+                cylinder_force=_at(touching.cylinder and touching.cylinder.force, k),
+                max_contact_pressure=_at(touching.pressure, k) or None,
             )
         )
     return tuple(points)
+
+
+def _at(values: np.ndarray | None, k: int) -> float | None:
+    return None if values is None else float(values[k])
 
 
 def halves(mesh: HexMesh) -> float:

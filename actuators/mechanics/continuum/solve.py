@@ -14,7 +14,6 @@ from actuators.mechanics.continuum.climb import SHARE_OF_PATH, Climb
 from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.levels import MeshChoice, layers_of, levels_of
-from actuators.mechanics.continuum.loads import check_loads
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
@@ -67,7 +66,6 @@ def solve_with_states(
             f"accuracy is {accuracy:g}; it must lie between 0.0001 and 1 (0.05 means 5 %).",
             field="accuracy", value=f"{accuracy:g}", mend="Use for example 0.05.",
         )  # fmt: skip
-    check_loads(scene)
     body = build_body(design)
     if body.symmetric and scene.symmetric:
         body = body.half()

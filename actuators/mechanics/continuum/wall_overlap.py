@@ -1,4 +1,4 @@
-"""How far neighbouring chamber walls have run into each other (this version has no contact)."""
+"""How far neighbouring chamber walls have run into each other where contact is switched off."""
 
 from collections.abc import Sequence
 
@@ -55,8 +55,3 @@ def _patch_normal(patch: np.ndarray) -> np.ndarray:
     """Unit normal (f, 3) of patches (f, 9, 3) from the diagonals between corners 0, 2, 6, 8."""
     normal = np.cross(patch[:, 8] - patch[:, 0], patch[:, 6] - patch[:, 2])
     return normal / np.linalg.norm(normal, axis=-1, keepdims=True)
-
-
-def has_gaps(mesh: HexMesh) -> bool:
-    """Whether the body has open gaps between chamber blocks."""
-    return len(_facing_walls(mesh)[0]) > 0

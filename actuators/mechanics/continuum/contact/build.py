@@ -10,6 +10,7 @@ from actuators.mechanics.continuum.contact.interaction import Interaction
 from actuators.mechanics.continuum.contact.obstacle import Obstacle
 from actuators.mechanics.continuum.contact.self_contact import SelfContact
 from actuators.mechanics.continuum.contact.surface import contact_law, outside
+from actuators.mechanics.obstacles import Cylinder
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
 
@@ -19,23 +20,24 @@ def interactions(
 ) -> tuple[Interaction, ...]:
     """Plate, cylinder, and the body against itself unless that is switched off."""
     surface, law = outside(mesh), contact_law(mesh, materials)
-    found: list[Interaction] = []
-    for obstacle in (scene.plate, scene.cylinder):
-        if obstacle is not None:
-            found.append(Obstacle(surface, law, obstacle))
-    if scene.cylinder is not None:
-        _refuse_overlap(found[-1], mesh)
-    if scene.self_contact != "off":
-        found.append(SelfContact(surface, law, float(np.ptp(mesh.nodes[:, 2]))))
-    return tuple(found)
+    obstacles = [
+        Obstacle(surface, law, obstacle)
+        for obstacle in (scene.plate, scene.cylinder)
+        if obstacle is not None
+    ]
+    for obstacle in obstacles:
+        _refuse_overlap(obstacle, mesh)
+    if scene.self_contact == "off":
+        return tuple(obstacles)
+    height = float(np.ptp(mesh.nodes[:, 2]))
+    return (*obstacles, SelfContact(surface, law, height))
 
 
-def _refuse_overlap(obstacle: Interaction, mesh: HexMesh) -> None:
-    assert isinstance(obstacle, Obstacle)
+def _refuse_overlap(obstacle: Obstacle, mesh: HexMesh) -> None:
     depth = -float(obstacle.gaps(mesh.nodes).min())
-    if depth > 0.0:
+    if isinstance(obstacle.obstacle, Cylinder) and depth > 0.0:
         raise QuestionError(
             f"The cylinder reaches {depth * 1e3:.2g} mm into the undeformed body.",
-            field="cylinder", value="overlap",
+            field="cylinder", value=f"{depth * 1e3:.2g} mm inside",
             mend="Move its centre away from the body, or make it thinner.",
         )  # fmt: skip
