@@ -1,0 +1,54 @@
+"""From a state on to a volume of the cavity, its own pressure with each state."""
+
+import math
+
+from actuators.mechanics.continuum.newton import Equilibrium
+from actuators.mechanics.continuum.tracer import Tracer
+from actuators.mechanics.continuum.walk import Walk
+from actuators.mechanics.response import Outcome
+
+FIRST_VOLUME_STEP = 0.05
+"""Fraction of the way to a volume."""
+MOST_STEPS = 400
+
+
+def fill(
+    tracer: Tracer, history: list[Equilibrium], volume_to: float, stops: list[float] | None
+) -> list[Equilibrium]:
+    """States from ``history`` on the way to ``volume_to`` [m3]: at ``stops``, or every one."""
+    path, first = tracer.path, history[-1]
+    way = volume_to - first.volume
+    step = FIRST_VOLUME_STEP * abs(way)
+    if len(history) > 1:
+        step = abs(history[-1].volume - history[-2].volume)
+    else:
+        step = min(step, tracer.first_volume(first))
+    sign = math.copysign(1.0, way)
+    walk = Walk(tracer.system, tracer.solve, history, sign * step)
+    visited: list[Equilibrium] = []
+    for _ in range(MOST_STEPS):
+        last = walk.trail[-1]
+        goal = stops[0] if stops else volume_to
+        found = walk.advance(goal, given_up=lambda share: tracer.stopped())
+        if found is None:
+            if not tracer.stopped():
+                path.outcome, path.reason = Outcome.STALLED, walk.reason
+            return visited
+        if path.limit is None and sign * (found.pressure - last.pressure) < 0:
+            path.limit = tracer.summit(walk.trail, sign)
+            between = sign * (found.volume - path.limit.volume) > 0
+            if stops is None and between and path.limit is not last:
+                visited.append(path.limit)
+                path.by_arc += walk.by_arc
+        tracer.told(found)
+        reached = walk.arrived
+        if stops is None or reached:
+            visited.append(found)
+            path.by_arc += walk.by_arc
+        if reached and stops:
+            stops.pop(0)
+        if reached and not stops:
+            return visited
+    path.outcome = Outcome.STALLED
+    path.reason = f"the volume was not reached in {MOST_STEPS} steps"
+    return visited

@@ -1,0 +1,133 @@
+"""From a state on to a pressure of the cavity, or to the pressure's maximum.
+
+Pressure is changed with adaptive steps from a linear prediction. Where a step fails or lands on an
+unstable state, a walk with the pressure unknown takes over: it passes the pressure's maximum, which
+is then the answer.
+"""
+
+import math
+
+import numpy as np
+
+from actuators.mechanics.continuum.newton import Equilibrium, Target
+from actuators.mechanics.continuum.prediction import (
+    difference,
+    growth,
+    is_near_summit,
+    predict,
+    pressure_step,
+)
+from actuators.mechanics.continuum.tracer import Tracer
+from actuators.mechanics.continuum.walk import Walk
+from actuators.mechanics.response import Outcome
+
+FIRST_STEP, LARGEST_STEP = 0.05, 0.1
+"""Fractions of the pressure range."""
+SMALLEST_FIRST_STEP = 1 / 500
+"""Fraction of the range below which volume takes over."""
+MOST_STEPS = 400
+"""Of a walk with the pressure unknown."""
+SMALL_VOLUME_STEP = 0.02
+"""Failing below this, with the pressure's maximum in sight, ends the path there."""
+
+
+def inflate(
+    tracer: Tracer, history: list[Equilibrium], pressure_to: float, stops: list[float] | None
+) -> list[Equilibrium]:
+    """States from ``history`` on the way to ``pressure_to`` [Pa]: at ``stops``, or every one."""
+    sign = math.copysign(1.0, pressure_to - history[-1].pressure)
+    visited: list[Equilibrium] = []
+    size = abs(pressure_to)
+    step = FIRST_STEP * size
+    if len(history) > 1:
+        step = abs(history[-1].pressure - history[-2].pressure)
+    else:
+        step = min(step, tracer.first_pressure(history[0]))
+    while True:
+        last = history[-1]
+        goal = stops[0] if stops else pressure_to
+        step = min(step, LARGEST_STEP * size, pressure_step(history))
+        wanted = last.pressure + sign * step
+        if sign * (wanted - goal) > -0.2 * step:
+            wanted = goal
+        result = tracer.solve(predict(history, wanted), Target(wanted))
+        if isinstance(result, Equilibrium) and not result.negative_eigenvalues:
+            history = [*history[-2:], result]
+            step = abs(wanted - last.pressure) * growth(result.iterations)
+            tracer.told(result)
+        elif tracer.stopped():
+            return visited
+        else:
+            step = abs(wanted - last.pressure) / 2
+            if len(history) == 1 and step >= SMALLEST_FIRST_STEP * size:
+                continue
+            found = _by_volume(tracer, history, goal, visited, stops is None)
+            if found is None:
+                return visited
+            history = found
+        if stops is None or sign * (history[-1].pressure - goal) >= 0:
+            visited.append(history[-1])
+            if stops:
+                stops.pop(0)
+        if sign * (history[-1].pressure - pressure_to) >= 0:
+            return visited
+
+
+def _by_volume(
+    tracer: Tracer,
+    history: list[Equilibrium],
+    goal: float,
+    visited: list[Equilibrium],
+    keep: bool,
+) -> list[Equilibrium] | None:
+    """Walk until the pressure passes ``goal`` (then the two last states, the last one at
+    ``goal``) or a maximum (then None, with the limit state as last visited)."""
+    path = tracer.path
+    sign = math.copysign(1.0, goal - history[-1].pressure)
+    step = 0.5 * abs(history[-1].volume - history[-2].volume) if len(history) > 1 else 0.0
+    step = sign * max(step, 0.02 * history[-1].volume)
+    walk = Walk(tracer.system, tracer.solve, history, step)
+
+    def given_up(share: float) -> bool:
+        if tracer.stopped():
+            return True
+        near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail, sign)
+        if near:
+            path.outcome, path.limit = Outcome.LIMIT_POINT, walk.trail[-1]
+        return near
+
+    for _ in range(MOST_STEPS):
+        last = walk.trail[-1]
+        result = walk.advance(given_up=given_up)
+        if result is None:
+            if path.limit is None and not tracer.stopped():
+                path.outcome, path.reason = Outcome.STALLED, walk.reason
+            return None
+        if sign * (result.pressure - last.pressure) <= 0:
+            _end_at_limit(tracer, walk.trail, sign, visited)
+            return None
+        if sign * (result.pressure - goal) >= 0:
+            share = (goal - last.pressure) / (result.pressure - last.pressure)
+            start = last.state.moved(share, difference(result.state, last.state))
+            there = tracer.solve(start, Target(goal))
+            if isinstance(there, Equilibrium) and not there.negative_eigenvalues:
+                return [last, there]
+            goal = sign * np.inf  # an unstable stretch: leave it to the volume
+        tracer.told(result)
+        if keep:
+            visited.append(result)
+    path.outcome = Outcome.STALLED
+    path.reason = "the volume changes without the pressure coming to a maximum"
+    return None
+
+
+def _end_at_limit(
+    tracer: Tracer, around: list[Equilibrium], sign: float, visited: list[Equilibrium]
+) -> None:
+    path = tracer.path
+    path.outcome, path.beyond = Outcome.LIMIT_POINT, around[-1]
+    path.limit = top = tracer.summit(around, sign)
+    while visited and sign * (visited[-1].volume - top.volume) > 0:
+        visited.pop()
+    if not visited or top is not visited[-1]:
+        visited.append(top)

@@ -1,0 +1,119 @@
+"""What every stretch of a path needs: one mesh's equations and solver, the path found so far."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from actuators.mechanics.continuum.newton import (
+    Equilibrium,
+    Failure,
+    Target,
+    solve_equilibrium,
+)
+from actuators.mechanics.continuum.prediction import predict_by_volume, summit_volume
+from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.direct_solver import SymmetricSolver
+from actuators.mechanics.response import Outcome
+
+LARGEST_FIRST_MOVE = 0.1
+"""Of the body's size, by a linear answer."""
+MOST_SUMMIT_STEPS, SHARP_SUMMIT = 8, 1e-4
+"""Until the pressure's maximum changes by less than this fraction."""
+
+
+@dataclass(eq=False)
+class Path:
+    """Equilibria found, in order. ``beyond``: a state past the limit point, where one was solved:
+    the proof that the pressure falls there. ``limit``: the first maximum of the pressure (of
+    suction, a minimum) met on the way. ``by_volume``: whether a volume was the goal. ``by_arc``:
+    how many of the last points need arc length, where volume control no longer leads on."""
+
+    points: list[Equilibrium] = field(default_factory=list)
+    outcome: Outcome = Outcome.CONVERGED
+    reason: str = ""
+    beyond: Equilibrium | None = None
+    limit: Equilibrium | None = None
+    by_volume: bool = False
+    by_arc: int = 0
+    iterations: int = 0
+
+
+class Tracer:
+    """One mesh, and the :class:`Path` that grows on it. ``stop`` may return a reason to stop (an
+    outcome), else None; ``told`` hears of every state found."""
+
+    def __init__(
+        self,
+        system: ContinuumSystem,
+        solver: SymmetricSolver,
+        tolerance: float,
+        stop: Callable[[], Outcome | None],
+    ) -> None:
+        self.system, self.solver = system, solver
+        self._tolerance, self._stop = tolerance, stop
+        self.path = Path()
+        self.told: Callable[[Equilibrium], None] = lambda found: None
+
+    def solve(self, start: State, target: Target) -> Equilibrium | Failure:
+        """Equilibrium near ``start``; its iterations are counted."""
+        result = solve_equilibrium(
+            self.system, self.solver, start, target, tolerance=self._tolerance,
+            cancelled=lambda: self._stop() is not None,
+        )  # fmt: skip
+        self.path.iterations += result.iterations
+        return result
+
+    def stopped(self) -> bool:
+        """Whether to stop; the reason becomes the path's outcome."""
+        why = self._stop()
+        if why is not None:
+            self.path.outcome = why
+        return why is not None
+
+    def first_pressure(self, start: Equilibrium) -> float:
+        """Pressure [Pa] whose linear answer, by the tangent last factorised, moves the body by
+        :data:`LARGEST_FIRST_MOVE` of its size."""
+        _, gradient = self.system.volume(start.state)
+        return self.share_of_first_move(self.solver.solve(gradient))
+
+    def first_volume(self, start: Equilibrium) -> float:
+        """Change of volume [m3] that goes with :meth:`first_pressure`."""
+        _, gradient = self.system.volume(start.state)
+        solution = self.solver.solve(gradient)
+        return abs(float(gradient @ solution)) * self.share_of_first_move(solution)
+
+    def share_of_first_move(self, solution: np.ndarray) -> float:
+        """How much of this linear answer moves the body by :data:`LARGEST_FIRST_MOVE` of its
+        size."""
+        largest = float(np.abs(solution).max())
+        size = float(np.ptp(self.system.mesh.nodes, axis=0).max())
+        return LARGEST_FIRST_MOVE * size / largest if largest > 0 else math.inf
+
+    def summit(self, around: list[Equilibrium], sign: float) -> Equilibrium:
+        """Equilibrium of the highest pressure between the last three states, the middle one being
+        higher than the others: where parabolas through the three nearest have their maximum."""
+        if len(around) < 3:
+            return around[-2]
+        below, top, above = around[-3:]
+        for _ in range(MOST_SUMMIT_STEPS):
+            if not sign * below.volume < sign * top.volume < sign * above.volume:
+                break
+            volume = summit_volume([below, top, above], sign)
+            near = below if sign * (volume - top.volume) < 0 else above
+            guess = predict_by_volume([near, top], volume)
+            found = self.solve(guess[0], Target(guess[1], volume=volume))
+            if isinstance(found, Failure):
+                break
+            gain = sign * (found.pressure - top.pressure)
+            if gain > 0:
+                below, above = (top, above) if near is above else (below, top)
+                top = found
+            elif near is above:
+                above = found
+            else:
+                below = found
+            if abs(gain) < SHARP_SUMMIT * abs(top.pressure):
+                break
+        return top
