@@ -5,7 +5,7 @@ it computes. Tests replace entries of ``RUNGS``.
 """
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Protocol
 
 from actuators.design import Design
 from actuators.mechanics.response import Response
@@ -52,9 +52,8 @@ def _fe(
 ) -> Response:
     from actuators.mechanics import continuum
 
-    asked: dict[str, Any] = {} if mesh is None else {"mesh": mesh}
     return continuum.solve(
-        design, scene, accuracy=accuracy, progress=progress, cancelled=cancelled, **asked
+        design, scene, accuracy=accuracy, mesh=mesh, progress=progress, cancelled=cancelled
     )
 
 

@@ -13,6 +13,8 @@ export interface CurveChartProps {
   curves: readonly Curve[];
   /** Title of the axis to the right, with its unit; the upward axis is named by the heading. */
   xTitle: string;
+  /** Whether x begins at 0; it does when left out. */
+  fromZero?: boolean;
   /** One unit is as long on both axes. */
   equal?: boolean;
   /** Place on the path (pressure or volume) marked on every curve. */
@@ -76,8 +78,8 @@ const EMPTY = [null, [[], []]] as unknown as uPlot.AlignedData;
 
 function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string): uPlot {
   const ranges = () => {
-    const { curves, equal, rules } = props();
-    if (!equal) return freeRanges(curves, rules);
+    const { curves, equal, rules, fromZero } = props();
+    if (!equal) return freeRanges(curves, rules, fromZero);
     // Of the host: the plot asks for its ranges before it knows its own size.
     const { clientWidth, clientHeight } = host;
     return equalRanges(curves, clientWidth - SPACE.left - SPACE.right, clientHeight - SPACE.top - SPACE.bottom);

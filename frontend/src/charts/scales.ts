@@ -21,10 +21,15 @@ function padded([low, high]: Range, share: number): Range {
   return [low - pad, high + pad];
 }
 
-export function freeRanges(curves: readonly Curve[], rules: readonly Rule[] = []): { x: Range; y: Range } {
+/** `fromZero`: whether the axis to the right begins at 0, as pressures do and volumes do not. */
+export function freeRanges(
+  curves: readonly Curve[],
+  rules: readonly Rule[] = [],
+  fromZero = true,
+): { x: Range; y: Range } {
   const points = curves.flatMap((curve) => curve.points);
   const ruled = (axis: Rule["axis"]) => rules.filter((rule) => rule.axis === axis).map((rule) => rule.value);
-  const x = rangeOf([...points.map((point) => point.x), ...ruled("x")], true);
+  const x = rangeOf([...points.map((point) => point.x), ...ruled("x")], fromZero);
   const y = rangeOf([...points.map((point) => point.y), ...ruled("y")], true);
   const [low, high] = padded(y, 0.06);
   return { x, y: [y[0] === 0 ? 0 : low, y[1] === 0 ? 0 : high] };

@@ -92,6 +92,7 @@ export function Plots(props: PlotsProps) {
       <CurveChart
         curves={angle}
         xTitle={xTitle}
+        fromZero={control === "pressure"}
         marked={at}
         rules={control === "pressure" ? limitRule(fe, "x") : []}
         onPick={scrubTo}
@@ -148,6 +149,7 @@ function LowerPlot(props: PlotsProps & { angle: readonly Curve[]; xTitle: string
           key="force"
           curves={force}
           xTitle={xTitle}
+        fromZero={control === "pressure"}
           marked={at}
           onPick={scrubTo}
           label={`Force on obstacles over ${control}`}
@@ -159,6 +161,7 @@ function LowerPlot(props: PlotsProps & { angle: readonly Curve[]; xTitle: string
           key="pressure"
           curves={curvesOf(props, pressurePoints)}
           xTitle={xTitle}
+        fromZero={control === "pressure"}
           marked={at}
           rules={limitRule(fe, "y")}
           onPick={scrubTo}

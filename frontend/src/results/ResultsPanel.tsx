@@ -32,7 +32,9 @@ export function ResultsPanel() {
       <section className="results" aria-label="Results">
         {now.instantProblem !== null ? (
           <Empty title="No instant answer">
-            <span data-testid="no-instant">{now.instantProblem.message}</span>
+            <span data-testid="no-instant">
+              The instant model cannot carry this load ({now.instantProblem.value}). Run 3D FE for it.
+            </span>
           </Empty>
         ) : refused ? (
           <Empty title="No answer yet">Correct the marked parameter to see the plots.</Empty>
@@ -54,18 +56,16 @@ export function ResultsPanel() {
 /** What of the loads the instant model could not carry. */
 function Beyond({ instant, leftOut }: { instant: boolean; leftOut: readonly string[] }) {
   const missing = leftOut.filter((field) => field !== "volume");
-  const parts = [
-    missing.length > 0 ? `without ${loadsInWords(missing)}` : "",
-    missing.length < leftOut.length ? "its volume follows pressure in a straight line" : "",
+  const sentences = [
+    instant ? "" : "The instant model has no answer to this load; 3D FE has.",
+    missing.length > 0 && instant ? `Instant answer without ${loadsInWords(missing)}; 3D FE carries all loads.` : "",
+    missing.length < leftOut.length && instant ? "Its volume rises in proportion to pressure; that of 3D FE does not." : "",
   ].filter(Boolean);
-  if (instant && parts.length === 0) return null;
+  if (sentences.length === 0) return null;
   return (
     <p className="left-out" data-testid="left-out">
       <Icon name="info" size={13} />
-      <span>
-        {instant ? `Instant answer: ${parts.join("; ")}. ` : "The instant model has no answer to this load. "}
-        3D FE carries it.
-      </span>
+      <span>{sentences.join(" ")}</span>
     </p>
   );
 }

@@ -71,9 +71,7 @@ export function NumberRow(props: NumberRowProps) {
   const { place, value, opened, step, range, label, unit, onChange } = props;
   const round = (next: number) => Number(next.toPrecision(10));
   return (
-    <LoadRow {...props} unit="" changed={value !== opened} onReset={() => {
-        if (opened !== null) onChange(opened);
-      }} onRemove={props.onRemove}>
+    <LoadRow {...props} unit="" changed={value !== opened} onReset={opened === null ? undefined : () => onChange(opened)} onRemove={props.onRemove}>
       <Slider
         value={value}
         min={Math.min(range[0], value)}
@@ -123,9 +121,7 @@ export function VectorRow(props: VectorRowProps) {
   const problem = props.problemAt(place);
   const changed = opened === null || value.some((part, axis) => part !== opened[axis]);
   return (
-    <LoadRow {...props} kind={props.kind === "part" ? "vector part" : "vector"} changed={changed} onReset={() => {
-        if (opened) onChange(opened);
-      }} onRemove={props.onRemove}>
+    <LoadRow {...props} kind={props.kind === "part" ? "vector part" : "vector"} changed={changed} onReset={opened === null ? undefined : () => onChange(opened)} onRemove={props.onRemove}>
       {AXES.map((axis, index) => (
         <NumberField
           key={axis}

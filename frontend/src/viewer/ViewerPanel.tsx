@@ -1,13 +1,14 @@
 import { useEffect, useRef, useState } from "react";
 
 import { connection } from "../api/live";
-import { useStore } from "../api/store";
+import { usePick, useStore } from "../api/store";
 import { useShownFe } from "../results/shown";
 import { feLabel } from "../results/words";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { Busy, Empty } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
+import { answers } from "../workbench/answers";
 import { ColourLegend } from "./ColourLegend";
 import { ScrubBar } from "./ScrubBar";
 import { colourFor, setViewer, viewerSettings } from "./settings";
@@ -40,10 +41,17 @@ export function ViewerPanel() {
   );
 }
 
+/** What the view shows: finite elements only where there is a result. */
+function useSource(): "instant" | "fe" {
+  const settings = useStore(viewerSettings);
+  const fe = useShownFe();
+  return settings.source === "fe" && fe ? "fe" : "instant";
+}
+
 function Toolbar() {
   const settings = useStore(viewerSettings);
   const fe = useShownFe();
-  const source = settings.source === "fe" && fe ? "fe" : "instant";
+  const source = useSource();
   return (
     <div className="viewer-toolbar">
       <Segmented
@@ -90,6 +98,8 @@ function Toolbar() {
 function Stage() {
   const state = useStore(view);
   const lost = useStore(connection) === "lost";
+  const beyond = usePick(answers, (now) => now.instantProblem !== null);
+  const source = useSource();
   return (
     <div className="stage" data-testid="viewer-stage" data-phase={state.phase}>
       {state.url && <Frame key={state.room} url={state.url} />}
@@ -112,6 +122,11 @@ function Stage() {
             <p>The view comes back by itself. Your parameters are kept in this browser.</p>
           </Empty>
         </div>
+      )}
+      {state.phase === "ready" && beyond && source === "instant" && (
+        <p className="stage-problem beyond" data-testid="viewer-beyond">
+          <Icon name="info" size={13} /> The instant model has no answer to this load: this is the last one it had.
+        </p>
       )}
       {state.phase === "ready" && state.problem && (
         <p className="stage-problem" role="alert">
