@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from actuators.design.base import Design
+from actuators.design.bellows import BellowsDesign
 from actuators.design.blocks import BlockBar
 from actuators.design.oblique import ObliqueDesign
 from actuators.design.parameter import Parameter
@@ -16,6 +17,7 @@ FAMILIES: Mapping[str, type[Design]] = {
     "slab": SlabDesign,
     "oblique": ObliqueDesign,
     "printed": PrintedDesign,
+    "bellows": BellowsDesign,
 }
 BLOCK_FAMILIES = (ObliqueDesign, PrintedDesign)
 """Families made of chamber blocks: each has a ``bar``."""
@@ -33,6 +35,7 @@ def parse_design(document: Mapping[str, Any]) -> Design:
 
 
 __all__ = [
-    "BLOCK_FAMILIES", "FAMILIES", "PRESETS", "BlockBar", "Design", "DesignError", "ObliqueDesign",
+    "BLOCK_FAMILIES", "FAMILIES", "PRESETS", "BellowsDesign", "BlockBar", "Design", "DesignError",
+    "ObliqueDesign",
     "Parameter", "Preset", "PrintedDesign", "SlabDesign", "parse_design", "preset",
 ]  # fmt: skip

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from actuators.design.base import Design
+from actuators.design.bellows import BellowsDesign
 from actuators.design.oblique import ObliqueDesign
 from actuators.design.printed import PrintedDesign
 from actuators.design.slab import SlabDesign
@@ -107,7 +108,32 @@ def _printed() -> list[Preset]:
     ]
 
 
-PRESETS: Mapping[str, Preset] = {p.name: p for p in [*_slabs(), *_obliques(), *_printed()]}
+# B, Tables 1 and 5: wall (mm) and the pressure it was tested at (bar)
+_BELLOWS_WALLS: Mapping[float, float] = {1.6: 1.0, 2.0: 2.0, 2.4: 3.0}
+
+
+def _bellows() -> list[Preset]:
+    return [
+        Preset(
+            name=f"bellows-{count}-{wall}",
+            title=f"Bellows, {count} with {wall} mm walls",
+            description=f"{count} rounded bellows with {wall} mm walls, printed sideways; the "
+            f"paper inflated them to {bar * 100:g} kPa. The bottom is assumed to be as thick as "
+            "the walls.",
+            source="3D-printed soft pneumatic actuators (B), Table 1",
+            design=BellowsDesign().changed(
+                chamber_count=count, wall_thickness=wall, bottom_thickness=wall
+            ),
+            pressure_to=bar * 1e5,
+        )
+        for count in (9, 11, 13)
+        for wall, bar in _BELLOWS_WALLS.items()
+    ]
+
+
+PRESETS: Mapping[str, Preset] = {
+    p.name: p for p in [*_slabs(), *_obliques(), *_printed(), *_bellows()]
+}
 
 
 def preset(name: str) -> Preset:

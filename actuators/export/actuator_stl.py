@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from actuators.design.base import Design
-from actuators.design.slab import SlabDesign
+from actuators.design import BellowsDesign, Design, SlabDesign
 from actuators.geometry import build_body
 from actuators.geometry.surface import Surface, body_surface
 
@@ -18,7 +17,11 @@ def actuator_stl(design: Design) -> dict[str, bytes]:
     max_edge = np.inf
     if isinstance(design, SlabDesign) and design.planform == "ellipse":
         max_edge = np.sqrt(8 * design.side_radius * CHORD_ERROR)
-    surface = body_surface(build_body(design), max_edge=max_edge)
+    parts = (1, 1, 1)
+    if isinstance(design, BellowsDesign):
+        chord = np.arccos(1 - CHORD_ERROR / design.wave.crown_outside)
+        parts = (int(np.ceil(np.pi / 4 / chord)), 1, 1)  # of a quarter circle
+    surface = body_surface(build_body(design), max_edge=max_edge, parts=parts)
     return {"actuator.stl": encode(surface, f"{design.title} {design.digest[:12]}")}
 
 

@@ -49,7 +49,9 @@ class Body:
     contains 0 and :meth:`half` is allowed.
     ``period``: length of the cell along X1 [m] for a periodic cell, else None. The faces x' =
     lines[0][0] and lines[0][-1] of a periodic cell differ by the translation (period, 0, 0).
-    ``membranes``: embedded sheets, wherever rubber meets their planes.
+    ``membranes``: embedded sheets, wherever rubber meets their planes. ``curved``: True where
+    boxes are bent along x' (seen from the side), so that straight edges between lattice lines do
+    not do.
     """
 
     lines: tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -59,6 +61,7 @@ class Body:
     symmetric: bool
     period: float | None = None
     membranes: tuple[Membrane, ...] = ()
+    curved: bool = False
 
     def half(self) -> "Body":
         """The half X2 >= 0 of a symmetric body; raises ValueError for one that is not."""
@@ -74,4 +77,5 @@ class Body:
             symmetric=False,
             period=self.period,
             membranes=self.membranes,
+            curved=self.curved,
         )

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from actuators.design import BLOCK_FAMILIES, BlockBar, Design, SlabDesign
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, BlockBar, Design, SlabDesign
 from actuators.geometry.block_body import sheet_stiffness
 from actuators.geometry.volumes import exact_volumes, masses
 
@@ -22,6 +22,8 @@ def derived(design: Design) -> list[Derived]:
         own = _slab(design)
     elif isinstance(design, BLOCK_FAMILIES):
         own = _blocks(design.bar)
+    elif isinstance(design, BellowsDesign):
+        own = _bellows(design)
     else:
         raise TypeError(f"nothing known about {type(design).__name__}")
     volumes = exact_volumes(design)
@@ -59,6 +61,16 @@ def _blocks(bar: BlockBar) -> list[Derived]:
     if bar.sheet is not None:
         values.append(_value("Stiffness of the layer", sheet_stiffness(bar) / 1e3, "N/mm"))
     return values
+
+
+def _bellows(design: BellowsDesign) -> list[Derived]:
+    return [
+        _value("Bellows pitch", design.pitch * 1e3, "mm"),
+        _value("Inner radius of the crown", design.wave.crown * 1e3, "mm"),
+        _value("Straight wall", design.wave.straight * 1e3, "mm"),
+        _value("Inner width", design.inner_width * 1e3, "mm"),
+        _value("Height of the end pieces", design.end_height * 1e3, "mm"),
+    ]
 
 
 def _value(label: str, value: float, unit: str) -> Derived:

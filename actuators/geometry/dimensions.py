@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from actuators.design import Design, ObliqueDesign, PrintedDesign, SlabDesign
+from actuators.design import BellowsDesign, Design, ObliqueDesign, PrintedDesign, SlabDesign
 from actuators.design.blocks import BlockBar
 
 View = Literal["section", "planform"]
@@ -37,6 +37,8 @@ def dimensions(design: Design) -> list[Dimension]:
         return _oblique(design)
     if isinstance(design, PrintedDesign):
         return _printed(design)
+    if isinstance(design, BellowsDesign):
+        return _bellows(design)
     raise TypeError(f"no drawing for {type(design).__name__}")
 
 
@@ -176,6 +178,36 @@ def _printed(design: PrintedDesign) -> list[Dimension]:
                 ends,
             ),
         ]  # fmt: skip
+    return lines
+
+
+def _bellows(design: BellowsDesign) -> list[Dimension]:
+    n, length, side = design.chamber_count, design.length * 1e3, design.width * 500
+    wave, end, pitch = design.wave, design.end_length * 1e3, design.pitch * 1e3
+    height, floor = design.height * 1e3, design.bottom_thickness * 1e3
+    valley, level = end + (n // 2) * pitch, (wave.valley_centre + wave.straight / 2) * 1e3
+    gap, wall = wave.gap * 500, wave.thickness * 1e3
+    at_ends = (design.end_height * 1e3, design.end_height * 1e3)
+    lines = [
+        _along("length", "planform", 0.0, length, -side - NEAR, (-side, -side)),
+        _across("width", "planform", -side, side, -NEAR, (0.0, 0.0)),
+        _across("total_height", "section", 0.0, height, -FAR, (0.0, end + pitch / 2)),
+        _along("chamber_count", "section", end, length - end, height + FAR, at_ends),
+        _along(
+            "wall_thickness", "section", valley + gap, valley + gap + wall, height + NEAR,
+            (level, level),
+        ),
+        _along("end_length", "section", 0.0, end, height + NEAR, at_ends),
+        _across(
+            "channel_height", "section", floor, floor + design.channel_height * 1e3, valley,
+            (valley, valley),
+        ),
+        *_layers({"bottom_thickness": design.bottom_thickness}),
+    ]  # fmt: skip
+    if n > 1:
+        lines.append(
+            _along("gap", "section", valley - gap, valley + gap, height + NEAR, (level, level))
+        )
     return lines
 
 

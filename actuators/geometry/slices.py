@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 import shapely
-from shapely.geometry import MultiPolygon, Polygon
+from shapely.geometry import LineString, MultiPolygon, Polygon
 
 from actuators.geometry.body import CAVITY, OUTSIDE, Body
 
@@ -15,6 +15,7 @@ PARTS_OF_A_CURVED_BLOCK = 16
 SMALLEST_DETAIL_MM = 0.01
 
 Kind = Literal["rubber", "cavity", "beyond", "hidden"]
+Stretch = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -34,9 +35,11 @@ def section(body: Body) -> list[Shape]:
     """Cut X2 = 0 seen from -X2, and the walls beside the channel; coordinates (X1, X3)."""
     x, y, z = body.lines
     middle = int(np.searchsorted(y, 0.0, side="right")) - 1
-    corners = np.stack(np.meshgrid(x, [0.0], z, indexing="ij"), axis=-1)
+    parts = PARTS_OF_A_CURVED_BLOCK if body.curved else 1
+    corners = np.stack(np.meshgrid(_cut(x, parts), [0.0], z, indexing="ij"), axis=-1)
     points = body.place(corners)[:, 0][..., [0, 2]]
-    at_cut, beside = body.fill[:, middle], body.fill[:, middle + 1]
+    fill = np.repeat(body.fill, parts, axis=0)
+    at_cut, beside = fill[:, middle], fill[:, middle + 1]
     beyond = np.full_like(at_cut, OUTSIDE)
     if (beside == CAVITY).any():  # else the chambers are as narrow as the channel: only side walls
         beyond = np.where((at_cut == CAVITY) & (beside >= 0), beside, OUTSIDE)
@@ -48,6 +51,8 @@ def section(body: Body) -> list[Shape]:
 
 def planform(body: Body) -> list[Shape]:
     """Cut through the chambers' upper part seen from above; coordinates (X1, X2)."""
+    if body.curved:
+        return list(_planform_of_a_profile(body))
     x, y, z = body.lines
     layers_with_air = np.flatnonzero((body.fill == CAVITY).any(axis=(0, 1)))
     cut = int(layers_with_air[-1])
@@ -61,8 +66,7 @@ def planform(body: Body) -> list[Shape]:
     curved = np.abs(middles - (points[:-1] + points[1:]) / 2).max() * 1e3 > SMALLEST_DETAIL_MM / 10
     parts = PARTS_OF_A_CURVED_BLOCK if curved else 1
     if curved:
-        cuts = np.arange(parts) / parts
-        points = placed(np.append((x[:-1, None] + np.diff(x)[:, None] * cuts).ravel(), x[-1]))
+        points = placed(_cut(x, parts))
 
     def spread(fill: np.ndarray) -> np.ndarray:
         return np.repeat(fill, parts, axis=0)
@@ -78,6 +82,69 @@ def planform(body: Body) -> list[Shape]:
         *_shapes(body, spread(at_cut), points),
         *_shapes(body, spread(hidden), points, cavity="hidden"),
     ]
+
+
+def _planform_of_a_profile(body: Body) -> Iterator[Shape]:
+    """Planform of a body whose profile (X1, X3) is the same over each column across: cut half way
+    between the lowest and the highest roof of the cavity."""
+    x, y, z = body.lines
+    x = _cut(x, PARTS_OF_A_CURVED_BLOCK)
+    fill = np.repeat(body.fill, PARTS_OF_A_CURVED_BLOCK, axis=0)
+    points = body.place(np.stack(np.meshgrid(x, [0.0], z, indexing="ij"), axis=-1))[:, 0]
+    points = points[..., [0, 2]]
+    roof = int(np.flatnonzero((body.fill == CAVITY).any(axis=(0, 1)))[-1]) + 1
+    level = float(points[:, roof, 1].min() + points[:, roof, 1].max()) / 2 * 1e3
+    ends = (float(points[0, 0, 0]) * 1e3, float(points[-1, 0, 0]) * 1e3)
+    found: dict[tuple[Kind, str], list[Polygon]] = {}
+    for column in range(len(y) - 1):
+        whole, air = [ends], list[Stretch]()
+        sides = (float(y[column]) * 1e3, float(y[column + 1]) * 1e3)
+        for shape in _shapes(body, fill[:, column], points):
+            line = shape.area.intersection(LineString([(ends[0], level), (ends[1], level)]))
+            cut = [(p.bounds[0], p.bounds[2]) for p in shapely.get_parts(line) if not p.is_empty]
+            whole = _without(whole, cut)
+            _add(found, (shape.kind, shape.region), cut, sides)
+            if shape.kind == "cavity":
+                air = _without([(shape.area.bounds[0], shape.area.bounds[2])], cut)
+        _add(found, ("beyond", body.regions[body.fill[0, column, -1]].name), whole, sides)
+        _add(found, ("hidden", ""), air, sides)
+    for kind in ("beyond", "rubber", "cavity", "hidden"):
+        for (own, region), boxes in found.items():
+            area = shapely.union_all(boxes)
+            if own == kind and isinstance(area, (Polygon, MultiPolygon)):
+                yield Shape(kind=own, region=region, area=area)
+
+
+def _without(whole: list[Stretch], parts: list[Stretch]) -> list[Stretch]:
+    """Stretches of X1 less others, details too small to draw left out."""
+    kept: list[Stretch] = []
+    for begin, end in whole:
+        at = begin
+        for left, right in sorted(parts):
+            if left - at > SMALLEST_DETAIL_MM:
+                kept.append((at, min(left, end)))
+            at = max(at, right)
+        if end - at > SMALLEST_DETAIL_MM:
+            kept.append((at, end))
+    return kept
+
+
+def _add(
+    found: dict[tuple[Kind, str], list[Polygon]],
+    key: tuple[Kind, str],
+    stretches: list[Stretch],
+    sides: Stretch,
+) -> None:
+    """Stretches of X1 as rectangles between two lines across."""
+    if stretches:
+        boxes = [shapely.box(left, sides[0], right, sides[1]) for left, right in stretches]
+        found.setdefault(key, []).extend(boxes)
+
+
+def _cut(line: np.ndarray, parts: int) -> np.ndarray:
+    """Lattice lines with every interval in equal parts."""
+    share = np.arange(parts) / parts
+    return np.append((line[:-1, None] + np.diff(line)[:, None] * share).ravel(), line[-1])
 
 
 def _shapes(

@@ -10,6 +10,11 @@ import numpy as np
 
 from actuators.geometry.body import CAVITY, OUTSIDE, Body
 
+CURVED_PARTS = 4
+"""Chords of every curved block of a body, at least."""
+TOO_MANY = 2.5
+"""Vertices for the screen over those asked for."""
+
 
 @dataclass(frozen=True, eq=False)
 class Surface:
@@ -36,10 +41,16 @@ class Surface:
         return -_enclosed(self.vertices, self.triangles[self.cavity])
 
 
-def body_surface(body: Body, *, max_edge: float = np.inf) -> Surface:
-    """Surface with no edge longer than ``max_edge`` [m]; infinite keeps the blocks' own faces."""
+def body_surface(
+    body: Body, *, max_edge: float = np.inf, parts: tuple[int, int, int] = (1, 1, 1)
+) -> Surface:
+    """Surface with no edge longer than ``max_edge`` [m]; infinite keeps the blocks' own faces, cut
+    into so many equal ``parts`` in each direction (curved ones at least into
+    :data:`CURVED_PARTS` along x')."""
+    if body.curved:
+        parts = (max(parts[0], CURVED_PARTS), parts[1], parts[2])
     # two legs of a quad at this length have a shorter diagonal of at most max_edge
-    lines, counts = _refined(body, max_edge / np.sqrt(2.0))
+    lines, counts = _refined(body, max_edge / np.sqrt(2.0), parts)
     fill = body.fill
     for axis in range(3):
         fill = np.repeat(fill, counts[axis], axis=axis)
@@ -73,17 +84,25 @@ def edge_for(body: Body, vertices: int) -> float:
     coarse = body_surface(body)
     a, b, c = (coarse.vertices[coarse.triangles[:, k]] for k in range(3))
     area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
-    return float(np.sqrt(2 * area / vertices))
+    edge = float(np.sqrt(2 * area / vertices))
+    # what is short on the floor of a curved body is long on its skin, and cut for that everywhere
+    while len(body_surface(body, max_edge=edge).vertices) > max(
+        TOO_MANY * vertices, 1.1 * len(coarse.vertices)
+    ):
+        edge *= 1.3
+    return edge
 
 
-def _refined(body: Body, leg: float) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Lattice lines with every interval in equal parts no longer than ``leg`` anywhere in the body,
-    and the number of parts of each interval."""
+def _refined(
+    body: Body, leg: float, least: tuple[int, int, int]
+) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Lattice lines with every interval in equal parts, at least so many and no longer than ``leg``
+    anywhere in the body, and the number of parts of each interval."""
     lines = list(body.lines)
     counts: list[np.ndarray] = []
     for axis in range(3):
         coarse = lines[axis]
-        parts = np.ones(len(coarse) - 1, dtype=int)
+        parts = np.full(len(coarse) - 1, least[axis])
         while True:
             lines[axis] = _subdivided(coarse, parts)
             grid = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)

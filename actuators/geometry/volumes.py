@@ -4,7 +4,9 @@ and moulds against, and to weigh out the silicone."""
 import math
 from dataclasses import dataclass
 
-from actuators.design import BLOCK_FAMILIES, BlockBar, Design, SlabDesign
+import numpy as np
+
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, BlockBar, Design, SlabDesign
 from actuators.materials import material
 
 
@@ -28,6 +30,8 @@ def exact_volumes(design: Design) -> Volumes:
         return _slab(design)
     if isinstance(design, BLOCK_FAMILIES):
         return _blocks(design.bar)
+    if isinstance(design, BellowsDesign):
+        return _bellows(design)
     raise TypeError(f"no volumes for {type(design).__name__}")
 
 
@@ -102,3 +106,11 @@ def _blocks(bar: BlockBar) -> Volumes:
     return Volumes(
         bottom=area * bar.bottom_thickness, top=above - open_gaps - cavity, cavity=cavity
     )
+
+
+def _bellows(design: BellowsDesign) -> Volumes:
+    count, top = design.chamber_count, np.array(design.height)
+    cavity = count * float(design.wave.air_below(top)) * design.inner_width
+    profile = count * float(design.wave.body_below(top)) + 2 * design.end_length * design.end_height
+    bottom = design.length * design.width * design.bottom_thickness
+    return Volumes(bottom=bottom, top=profile * design.width - cavity - bottom, cavity=cavity)

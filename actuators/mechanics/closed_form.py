@@ -2,20 +2,22 @@
 magnitude.
 
 In the spirit of the cantilever theory of P (docs/theory.md), but not its formula
-(16), which belongs to the printed family: pressure on the chamber's cross-section, times its lever
-arm about the section's neutral axis, bends the section through the chamber,
+(16): pressure on the chamber's cross-section, times its lever arm about the section's neutral axis,
+bends the section through the chamber,
 
     kappa = p A (z_A - z_n) / EI,
 
-over the length of the chambers; walls between them stay straight; an embedded sheet counts with its
-stiffness along the axis. It covers straight and oblique
-chambers alike by their share of the axis, holds no twist, no weight, no bulging of walls (which is
-what bends gapped actuators: there it is several times too small), and is linear in pressure.
+over the length of the chambers; walls between them stay straight. An embedded sheet counts with its
+stiffness along the axis. It covers straight and oblique chambers alike by their share of the axis,
+holds no twist, no weight, no bulging of walls (which is what bends gapped actuators: there it is
+several times too small, 19 times for the printed preset), and is linear in pressure. The skin of
+bellows folds away: there the section under the valleys bends, over their width (about twice what
+the periodic chamber gives).
 """
 
 import numpy as np
 
-from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, Design, SlabDesign
 from actuators.geometry.block_body import sheet_stiffness
 from actuators.materials import material
 
@@ -32,6 +34,8 @@ def bending_rates(design: Design) -> np.ndarray:
         keys = (bar.bottom_material, bar.top_material)
         if bar.sheet is not None:
             sheet = sheet_stiffness(bar) * bar.width * bar.sheet.height ** np.arange(3)
+    elif isinstance(design, BellowsDesign):
+        return np.full(design.chamber_count, _bellows(design))
     elif isinstance(design, SlabDesign):
         middles = design.chamber_starts() + design.chamber_length / 2
         outer = 2 * np.asarray(design.half_width(middles))
@@ -42,12 +46,38 @@ def bending_rates(design: Design) -> np.ndarray:
     else:
         raise TypeError(f"no closed form for {type(design).__name__}")
     lower, upper = (material(key).youngs_modulus for key in keys)
+    neutral, rigidity = _section(heights, inner, outer, (lower, upper), sheet)
+    middle = heights[0] + heights[1] / 2
+    return inner * heights[1] * (middle - neutral) / rigidity * share
+
+
+def _bellows(design: BellowsDesign) -> float:
+    """The skin of a bellows folds away and carries no axial force: what the pressure in the whole
+    cross-section bends is the section under the valleys, over their width."""
+    heights = [design.bottom_thickness, design.channel_height, design.wall_thickness]
+    inner, outer = np.array(design.inner_width), np.array(design.width)
+    modulus = material(design.material).youngs_modulus
+    neutral, rigidity = _section(heights, inner, outer, (modulus, modulus), np.zeros(3))
+    air = design.height - design.bottom_thickness - design.wall_thickness
+    middle = design.bottom_thickness + air / 2
+    share = 2 * design.wave.valley / design.pitch
+    return float(inner * air * (middle - neutral) / rigidity) * share
+
+
+def _section(
+    heights: list[float],
+    inner: np.ndarray,
+    outer: np.ndarray,
+    moduli: tuple[float, float],
+    sheet: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Neutral axis above the underside [m] and bending stiffness [N m2] of a hollow section: bottom
+    layer, chamber between side walls, roof. ``sheet``: moments 0 to 2 of an embedded sheet."""
+    lower, upper = moduli
     z = np.cumsum([0.0, *heights])
     stiff = np.stack([lower * outer, upper * (outer - inner), upper * outer], axis=-1)
     axial, first, second = (
         stiff @ (np.diff(z**n) / n) + held for n, held in zip((1, 2, 3), sheet, strict=True)
     )
     neutral = first / axial
-    rigidity = second - first * neutral
-    middle = (z[1] + z[2]) / 2
-    return inner * heights[1] * (middle - neutral) / rigidity * share
+    return neutral, second - first * neutral

@@ -149,11 +149,19 @@ def _free_strains(
     energy = rod_strains(design_layers(design))
     computed = computed_constant(row.free, energy)
     if constant == "computed":
-        return row.free, (f"c = {computed:.3g}, computed from the periodic chamber.",)
+        return row.free, (_about(computed),)
     value = published_constant(design) if constant == "published" else float(constant)
     origin = "published (G, Table 2)" if constant == "published" else "given"
-    return value * energy, (
-        f"c = {value:.3g}, {origin}; the periodic chamber gives {computed:.3g}.",
+    return value * energy, (f"c = {value:.3g}, {origin}. For comparison: {_about(computed)}",)
+
+
+def _about(computed: float) -> str:
+    """What to say about the constant that the periodic chamber gives."""
+    if computed > 0:
+        return f"c = {computed:.3g}, computed from the periodic chamber."
+    return (
+        "Computed from the periodic chamber; no c makes the energy model bend as it does, because "
+        "with walls that stay flat this body bends the other way."
     )
 
 

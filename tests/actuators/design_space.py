@@ -3,6 +3,7 @@
 from hypothesis import strategies as st
 
 from actuators.design import (
+    BellowsDesign,
     Design,
     DesignError,
     ObliqueDesign,
@@ -79,6 +80,39 @@ _PRINTED = st.fixed_dictionaries(
 )
 
 
+def _bellows_document(numbers: dict[str, float]) -> dict[str, object]:
+    """Bellows from the sizes that must be positive rather than from those that a designer gives."""
+    crown, straight = numbers.pop("crown"), numbers.pop("straight")
+    wall, gap, end = (numbers[f"{k}_mm"] for k in ("wall_thickness", "gap", "end_length"))
+    valley = gap / 2 + wall
+    below = numbers["bottom_thickness_mm"] + numbers["channel_height_mm"]
+    height = below + valley + straight + crown + wall
+    length = 2 * end + numbers["chamber_count"] * 2 * (crown + valley)
+    inner = numbers.pop("inner_width")
+    return {
+        "family": "bellows",
+        "length_mm": round(length, 6),
+        "total_height_mm": round(height, 6),
+        "width_mm": round(inner + 2 * wall, 6),
+        **numbers,
+    }
+
+
+_BELLOWS = st.fixed_dictionaries(
+    {
+        "chamber_count": st.integers(1, 9),
+        "crown": _sampled(0.4, 6),
+        "straight": _sampled(0.4, 12),
+        "inner_width": _sampled(0.5, 20),
+        "wall_thickness_mm": _sampled(0.3, 4),
+        "gap_mm": _sampled(0.1, 3),
+        "channel_height_mm": _sampled(0.3, 5),
+        "end_length_mm": _sampled(0.3, 10),
+        "bottom_thickness_mm": _sampled(0.3, 5),
+    }
+).map(_bellows_document)
+
+
 def _buildable(documents: st.SearchStrategy[dict[str, object]]) -> st.SearchStrategy[Design]:
     def attempt(document: dict[str, object]) -> Design | None:
         try:
@@ -104,6 +138,11 @@ def printed() -> st.SearchStrategy[PrintedDesign]:
     return _buildable(_PRINTED)  # pyright: ignore[reportReturnType]
 
 
+def bellows() -> st.SearchStrategy[BellowsDesign]:
+    """Bellows from nearly round to slender."""
+    return _buildable(_BELLOWS)  # pyright: ignore[reportReturnType]
+
+
 def designs() -> st.SearchStrategy[Design]:
     """Any family."""
-    return st.one_of(slabs(), obliques(), printed())
+    return st.one_of(slabs(), obliques(), printed(), bellows())

@@ -20,13 +20,8 @@ import numpy as np
 
 from actuators.geometry import CAVITY, OUTSIDE, Body
 from actuators.materials import Material
-from actuators.mechanics.cell.element import (
-    NODES,
-    divergence,
-    reference_divergence,
-    stiffness,
-)
-from actuators.mechanics.cell.lattice import HalfCell, half_cell, intervals
+from actuators.mechanics.cell import curved, element
+from actuators.mechanics.cell.lattice import HalfCell, curved_nodes, divide, half_cell, intervals
 from actuators.mechanics.cell.numbering import numbering
 from actuators.mechanics.cell.sheet import BOTTOM_FACE, TOP_FACE, add_sheets
 
@@ -74,7 +69,10 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     cell = half_cell(body, _equal_parts(mesh.even))
     fields = _rod_fields(cell.coordinates())
     elements, energy, coupling = _element_energies(cell, fields, shear, bulk)
-    pressure = divergence(cell.jacobian[cell.cavity])[:, 0, :, None]
+    if cell.position is None:
+        pressure = element.divergence(cell.jacobian[cell.cavity])[:, 0, :, None]
+    else:
+        pressure = curved.divergence(cell.position[cell.cavity])[:, 0, :, None]
     even = numbering(cell, "even")
     right = np.concatenate(
         [even.gather(pressure, cell.cavity), -even.gather(coupling[..., EVEN], cell.solid)], axis=1
@@ -91,14 +89,16 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     growth = float(right[:, 0] @ correction[:, 0] + load @ free)
     motion = correction[:, 0] + correction[:, 1:] @ free[list(EVEN)]
     local = even.spread(motion)[cell.solid] + fields[cell.solid] @ free
-    air = 8 * np.linalg.det(cell.jacobian[cell.cavity]).sum()
+    # the growth of a volume under a uniform swelling of 1 is three times the volume
+    air = np.einsum("nai,nai->", cell.coordinates()[cell.cavity],
+                    pressure.reshape(-1, element.NODES, 3)) / 3  # fmt: skip
     return CellResponse(
         period=body.period,
         free=free,
         stiffness=2 * condensed / body.period,
         cavity_volume=float(2 * air),
         cavity_compliance=2 * growth,
-        largest_strain=_largest_strain(cell.jacobian[cell.solid], local),
+        largest_strain=_largest_strain(cell, local),
         unknowns=even.count,
     )
 
@@ -120,7 +120,10 @@ def _element_energies(
     """Of the solid elements: stiffness (m, 81, 81), energy of the rod strains (4, 4), forces that
     they raise (m, 81, 4)."""
     region = cell.fill[cell.solid]
-    elements = stiffness(cell.jacobian[cell.solid], shear[region], bulk[region])
+    if cell.position is None:
+        elements = element.stiffness(cell.jacobian[cell.solid], shear[region], bulk[region])
+    else:
+        elements = curved.stiffness(cell.position[cell.solid], shear[region], bulk[region])
     if cell.sheets.any():
         position = cell.coordinates()[cell.solid]
         for side, nodes in zip(cell.sheets, (BOTTOM_FACE, TOP_FACE), strict=True):
@@ -142,14 +145,16 @@ def _rod_fields(position: np.ndarray) -> np.ndarray:
     field[..., 2, 2] = -x * x / 2
     field[..., 0, 3] = -x * y
     field[..., 1, 3] = x * x / 2
-    return field.reshape(len(position), 3 * NODES, 4)
+    return field.reshape(len(position), 3 * element.NODES, 4)
 
 
-def _largest_strain(jacobian: np.ndarray, local: np.ndarray) -> float:
-    """Largest principal strain, mean over an element, of displacements (n, 81)."""
-    table = reference_divergence()[:, :NODES] / 8
-    gradient = np.einsum("pa,nai,npj->nij", table, local.reshape(-1, NODES, 3),
-                         np.linalg.inv(jacobian))  # fmt: skip
+def _largest_strain(cell: HalfCell, local: np.ndarray) -> float:
+    """Largest principal strain, mean over an element, of the solid's displacements (n, 81)."""
+    if cell.position is not None:
+        return curved.largest_strain(cell.position[cell.solid], local)
+    table = element.reference_divergence()[:, : element.NODES] / 8
+    gradient = np.einsum("pa,nai,npj->nij", table, local.reshape(-1, element.NODES, 3),
+                         np.linalg.inv(cell.jacobian[cell.solid]))  # fmt: skip
     strain = (gradient + np.swapaxes(gradient, 1, 2)) / 2
     return float(np.linalg.eigvalsh(strain)[:, -1].max())
 
@@ -163,13 +168,16 @@ def coarse_mesh(body: Body) -> CellMesh:
     (tests measure it).
 
     One element per interval, except in walls that bulge as plates between open gaps: there two over
-    the free height and two along the arm, three where the chamber stands at less than 45 degrees.
+    the free height and two along the arm, three where the chamber stands at less than 45 degrees;
+    and in bellows, two across the air.
     Bending about X3 does not bulge them and takes one throughout.
     """
     x, y, z, fill = intervals(body)
     once = [[1] * (len(lines) - 1) for lines in (x, y, z)]
     even = [axis.copy() for axis in once]
-    if np.any(fill == OUTSIDE):
+    if body.curved:
+        even[1][0] = 2
+    elif np.any(fill == OUTSIDE):
         arm = len(y) - 3  # the last interval is the side wall, before it the arm's length
         even[1][arm] = 3 if _slant(body) > 1 + 1e-9 else 2
         even[2][-2] = 2
@@ -185,8 +193,27 @@ def _slant(body: Body) -> float:
 
 def volumes_of(cell: Body) -> tuple[float, float]:
     """Rubber and air of a cell of parallelepipeds [m3]."""
-    corners = cell.place(np.stack(np.meshgrid(*cell.lines, indexing="ij"), axis=-1))
-    x, y = np.diff(corners[:, 0, 0, 0]), np.diff(corners[0, :, 0, 1])
-    z = np.diff(corners[0, 0, :, 2])
-    volume = np.einsum("x,y,z->xyz", x, y, z)
+    volume = box_moments(cell)[..., 0]
     return float(volume[cell.fill >= 0].sum()), float(volume[cell.fill == CAVITY].sum())
+
+
+CURVED_PARTS = 4
+
+
+def box_moments(body: Body) -> np.ndarray:
+    """Volume [m3] of every box and its first moment over the height [m4], shape (nx, ny, nz, 2).
+    Curved boxes are integrated in ``CURVED_PARTS`` quadratic pieces along x'."""
+    x, y, z = body.lines
+    if not body.curved:
+        corners = body.place(np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1))
+        dx, dy = np.diff(corners[:, 0, 0, 0]), np.diff(corners[0, :, 0, 1])
+        heights = corners[0, 0, :, 2]
+        power = np.stack([np.diff(heights), np.diff(heights**2 / 2)], axis=-1)
+        return np.einsum("x,y,zm->xyzm", dx, dy, power)
+    fine = divide(x, [[1 / CURVED_PARTS] * CURVED_PARTS] * (len(x) - 1))
+    position = curved_nodes(body, [fine, y, z], np.zeros(3))
+    _, volume = curved.gradients(position)
+    height = np.einsum("ga,na->ng", curved.VALUES, position[..., 2])
+    moments = np.stack([volume.sum(axis=1), (volume * height).sum(axis=1)], axis=-1)
+    shape = (len(x) - 1, CURVED_PARTS, len(y) - 1, len(z) - 1, 2)
+    return moments.reshape(shape).sum(axis=1)

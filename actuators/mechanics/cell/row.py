@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, Design, SlabDesign
 from actuators.geometry import Body, build_cell
 from actuators.materials import material
 from actuators.mechanics.cell.cache import cell_response
+from actuators.mechanics.cell.periodic import box_moments
 
 WIDTHS = 4
 """Cells solved for a tapered slab; the widths between them are interpolated by a cubic, which a
@@ -40,7 +41,7 @@ class ChamberRow:
 def chamber_row(design: Design) -> ChamberRow:
     """Every chamber of the design; chambers of one width share their cell."""
     start, pitch = pitch_starts(design)
-    if isinstance(design, BLOCK_FAMILIES):
+    if isinstance(design, (*BLOCK_FAMILIES, BellowsDesign)):
         cells, weights = [build_cell(design, 0)], np.ones((design.chamber_count, 1))
     elif isinstance(design, SlabDesign):
         cells, weights = _slab_cells(design)
@@ -71,6 +72,8 @@ def pitch_starts(design: Design) -> tuple[np.ndarray, float]:
     """X1 where each chamber's pitch begins (n,) [m], possibly before the clamp, and the pitch."""
     if isinstance(design, BLOCK_FAMILIES):
         first, pitch = design.bar.end_length, design.bar.pitch
+    elif isinstance(design, BellowsDesign):
+        first, pitch = design.end_length, design.pitch
     elif isinstance(design, SlabDesign):
         first, pitch = design.root_wall - design.wall_length / 2, design.pitch
     else:
@@ -109,10 +112,6 @@ def _lagrange(nodes: np.ndarray, at: np.ndarray) -> np.ndarray:
 
 def _mass(cell: Body) -> tuple[float, float]:
     """Mass [kg] and its first moment over the height [kg m] of one cell."""
-    corners = cell.place(np.stack(np.meshgrid(*cell.lines, indexing="ij"), axis=-1))
-    x = np.diff(corners[:, 0, 0, 0])
-    y = np.diff(corners[0, :, 0, 1])
-    z = corners[0, 0, :, 2]
     density = np.array([material(r.material).density for r in cell.regions] + [0.0])
-    area = np.einsum("xyz,x,y->z", density[np.maximum(cell.fill, -1)], x, y)
-    return float(area @ np.diff(z)), float(area @ np.diff(z**2 / 2))
+    mass, moment = np.einsum("xyz,xyzm->m", density[np.maximum(cell.fill, -1)], box_moments(cell))
+    return float(mass), float(moment)

@@ -4,9 +4,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, Design, SlabDesign
 from actuators.geometry.block_body import sheet_stiffness
 from actuators.materials import material
+
+ROUND_SLICES = 8
+"""Layers that stand for a quarter circle of a bellows' profile."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +103,33 @@ def slab_layers(
     )
 
 
+def bellows_layers(design: BellowsDesign) -> Layers:
+    """Layers of bellows, all alike; the round parts in slices of equal height, each with the mean
+    of its area. Side walls fill the cavity's profile with rubber."""
+    wave = design.wave
+    high = wave.crown_centre
+    height = np.concatenate(
+        [
+            [0.0, wave.floor, wave.floor + wave.channel],
+            np.linspace(wave.floor + wave.channel, wave.valley_centre, ROUND_SLICES + 1)[1:],
+            np.linspace(high, high + wave.crown, ROUND_SLICES + 1),
+            [design.height],
+        ]
+    )
+    thickness = np.diff(height)
+    air = np.diff(wave.air_below(height)) * design.inner_width / thickness
+    rubber = np.diff(wave.body_below(height)) * design.width / thickness - air
+    count = design.chamber_count
+    shear = np.full(len(thickness), material(design.material).shear_modulus)
+    return Layers(
+        height=np.tile(height, (count, 1)),
+        rubber=np.tile(rubber, (count, 1)),
+        air=np.tile(air, (count, 1)),
+        shear_modulus=np.tile(shear, (count, 1)),
+        theta=np.full(count, np.pi / 2),
+    )
+
+
 def design_layers(design: Design) -> Layers:
     """Layers of every chamber of a design, from the clamp on; batch axis (n,)."""
     if isinstance(design, BLOCK_FAMILIES):
@@ -127,6 +157,8 @@ def design_layers(design: Design) -> Layers:
             sheet=np.full(count, sheet),
             sheet_height=np.full(count, bar.sheet.height),
         )
+    if isinstance(design, BellowsDesign):
+        return bellows_layers(design)
     if isinstance(design, SlabDesign):
         middles = design.chamber_starts() + design.chamber_length / 2
         return slab_layers(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from actuators.design import BLOCK_FAMILIES, Design, SlabDesign
+from actuators.design import BLOCK_FAMILIES, BellowsDesign, Design, SlabDesign
 from actuators.geometry.block_body import sheet_stiffness
 from actuators.materials import material
 from actuators.mechanics.cell.row import ChamberRow
@@ -91,6 +91,8 @@ def _solid_end(design: Design, at: float) -> tuple[np.ndarray, float, float]:
         width, lower, height = bar.width, bar.bottom_thickness, bar.height
         if bar.sheet is not None:
             sheet = (sheet_stiffness(bar), bar.sheet.height)
+    elif isinstance(design, BellowsDesign):
+        width, lower, height = design.width, design.bottom_thickness, design.end_height
     else:
         raise TypeError(f"no sections for {type(design).__name__}")
     thickness = np.array([lower, height - lower])

@@ -31,11 +31,15 @@ def assert_closed_and_outward(surface: Surface) -> None:
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(designs())
 def test_every_design_has_a_closed_surface_of_its_exact_volume(design: Design) -> None:
-    surface = body_surface(build_body(design), max_edge=4e-3)
+    bellows = design.family == "bellows"
+    surface = body_surface(
+        build_body(design), max_edge=4e-3, parts=(32, 1, 1) if bellows else (1, 1, 1)
+    )
     assert_closed_and_outward(surface)
     exact = exact_volumes(design)
-    # arcs are followed by chords, which lose area / 8 R per length squared: well under 1 % at 4 mm
-    curved = getattr(design, "planform", "") == "ellipse"
+    # arcs are followed by chords, which lose area / 8 R per length squared: well under 1 % at 4 mm;
+    # quarter circles in 32 chords lose 0.04 % of their sector, which is more of what lies below it
+    curved = getattr(design, "planform", "") == "ellipse" or bellows
     tolerance = 1e-2 if curved else 1e-9
     assert surface.volume == pytest.approx(exact.rubber, rel=tolerance)
     assert surface.cavity_volume == pytest.approx(exact.cavity, rel=tolerance)
