@@ -14,6 +14,7 @@ from actuators.mechanics.response import Centreline, Response, SurfaceFields
 
 _CENTRELINE = ("stations", "positions", "frames")
 _SURFACE = ("vertices", "triangles", "displacement", "stretch", "stress")
+_SOMETIMES = ("contact_pressure",)
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +32,10 @@ def pack(response: Response) -> bytes:
     for part, names in ((response.centreline, _CENTRELINE), (response.surface, _SURFACE)):
         if part is not None:
             arrays |= {name: _narrow(getattr(part, name)) for name in names}
+    for name in _SOMETIMES:
+        values = getattr(response.surface, name, None)
+        if values is not None:
+            arrays[name] = _narrow(values)
     target = io.BytesIO()
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as archive:
         for name, array in arrays.items():
@@ -51,7 +56,8 @@ def unpack(data: bytes) -> ResponseArrays:
     if "positions" in arrays:
         centreline = Centreline(**{name: arrays[name] for name in _CENTRELINE})
     if "displacement" in arrays:
-        surface = SurfaceFields(**{name: arrays[name] for name in _SURFACE})
+        names = (*_SURFACE, *(name for name in _SOMETIMES if name in arrays))
+        surface = SurfaceFields(**{name: arrays[name] for name in names})
     return ResponseArrays(arrays["pressures"], centreline, surface)
 
 

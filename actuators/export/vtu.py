@@ -13,8 +13,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from actuators.mechanics.continuum.volume_fields import VolumeMesh, VolumeState
+from actuators.mechanics.response import SurfaceFields
 
-TRIQUADRATIC_HEXAHEDRON = 29
+TRIANGLE, TRIQUADRATIC_HEXAHEDRON = 5, 29
 NODE_ORDER = (
     0, 2, 8, 6, 18, 20, 26, 24,
     1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15,
@@ -35,33 +36,55 @@ def series(
     pressures: list[float] = []
     for number, state in enumerate(states):
         files[f"answer-{number:03d}.vtu"] = unstructured_grid(mesh, regions, state, title)
-        pressures.append(state.pressure * 1e-3)
+        pressures.append(state.pressure)
+    return {"answer.pvd": _collection(list(files), pressures), **files}
+
+
+def _collection(names: Sequence[str], pressures: Sequence[float]) -> bytes:
     rising = all(later > earlier for earlier, later in itertools.pairwise(pressures))
-    times = pressures if rising else [float(number) for number in range(len(pressures))]
+    times = (
+        [pressure * 1e-3 for pressure in pressures] if rising else [*map(float, range(len(names)))]
+    )
     root = ET.Element("VTKFile", {"type": "Collection", "version": "1.0"})
     collection = ET.SubElement(root, "Collection")
-    for name, time in zip(list(files), times, strict=True):
+    for name, time in zip(names, times, strict=True):
         ET.SubElement(collection, "DataSet", {"timestep": f"{time:.9g}", "file": name})
-    return {"answer.pvd": _document(root), **files}
+    return _document(root)
+
+
+def surface_series(
+    surface: SurfaceFields, pressures: Sequence[float], title: str
+) -> dict[str, bytes]:
+    """``answer.pvd`` and a ``.vtu`` of triangles for every path point of a stored answer, which
+    keeps the fields on its surface only. ``pressures``: (k,) [Pa]."""
+    points = surface.vertices.astype("<f8") * 1e3
+    count = len(surface.triangles)
+    files: dict[str, bytes] = {}
+    for number in range(len(pressures)):
+        root, piece = _grid(title, pressures[number], len(points), count)
+        data = ET.SubElement(piece, "PointData", {"Vectors": "displacement_mm"})
+        _array(data, "displacement_mm", surface.displacement[number].astype("<f8") * 1e3)
+        _array(data, "largest_principal_stretch", surface.stretch[number].astype("<f4"))
+        _array(data, "largest_principal_stress_kPa", (surface.stress[number] * 1e-3).astype("<f4"))
+        if surface.contact_pressure is not None:
+            pressed = (surface.contact_pressure[number] * 1e-3).astype("<f4")
+            _array(data, "contact_pressure_kPa", pressed)
+        _array(ET.SubElement(piece, "Points"), "points_mm", points)
+        cells = ET.SubElement(piece, "Cells")
+        _array(cells, "connectivity", surface.triangles.ravel().astype("<i8"))
+        _array(cells, "offsets", 3 * np.arange(1, count + 1, dtype="<i8"))
+        _array(cells, "types", np.full(count, TRIANGLE, dtype="u1"))
+        files[f"answer-{number:03d}.vtu"] = _document(root)
+    return {"answer.pvd": _collection(list(files), pressures), **files}
 
 
 def unstructured_grid(
     mesh: VolumeMesh, regions: Sequence[str], state: VolumeState, title: str
 ) -> bytes:
     """One state as a VTK XML file with compressed inline data."""
-    root = ET.Element("VTKFile", {
-        "type": "UnstructuredGrid", "version": "1.0", "byte_order": "LittleEndian",
-        "header_type": "UInt64", "compressor": "vtkZLibDataCompressor",
-    })  # fmt: skip
     named = ", ".join(f"{number} {name}" for number, name in enumerate(regions))
-    root.append(ET.Comment(f" {title}; mm and kPa; regions: {named} "))
-    grid = ET.SubElement(root, "UnstructuredGrid")
-    _array(ET.SubElement(grid, "FieldData"), "cavity_pressure_kPa",
-           np.array([state.pressure * 1e-3]), tuples=1)  # fmt: skip
     count = len(mesh.elements)
-    piece = ET.SubElement(
-        grid, "Piece", {"NumberOfPoints": str(len(mesh.nodes)), "NumberOfCells": str(count)}
-    )
+    root, piece = _grid(f"{title}; regions: {named}", state.pressure, len(mesh.nodes), count)
     data = ET.SubElement(piece, "PointData", {"Vectors": "displacement_mm"})
     for name, values in _point_data(state).items():
         _array(data, name, values)
@@ -72,6 +95,20 @@ def unstructured_grid(
     _array(cells, "offsets", 27 * np.arange(1, count + 1, dtype="<i8"))
     _array(cells, "types", np.full(count, TRIQUADRATIC_HEXAHEDRON, dtype="u1"))
     return _document(root)
+
+
+def _grid(title: str, pressure: float, points: int, cells: int) -> tuple[ET.Element, ET.Element]:
+    """A document, and the piece in it that takes the arrays."""
+    root = ET.Element("VTKFile", {
+        "type": "UnstructuredGrid", "version": "1.0", "byte_order": "LittleEndian",
+        "header_type": "UInt64", "compressor": "vtkZLibDataCompressor",
+    })  # fmt: skip
+    root.append(ET.Comment(f" {title}; mm and kPa "))
+    grid = ET.SubElement(root, "UnstructuredGrid")
+    _array(ET.SubElement(grid, "FieldData"), "cavity_pressure_kPa",
+           np.array([pressure * 1e-3]), tuples=1)  # fmt: skip
+    sizes = {"NumberOfPoints": str(points), "NumberOfCells": str(cells)}
+    return root, ET.SubElement(grid, "Piece", sizes)
 
 
 def _point_data(state: VolumeState) -> dict[str, np.ndarray]:

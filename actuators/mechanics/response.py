@@ -106,7 +106,8 @@ class SurfaceFields:
 
     ``vertices``: (n, 3) [m] undeformed; ``triangles``: (m, 3) int, outward from the rubber;
     ``displacement``: (k, n, 3) [m]; ``stretch``: (k, n) largest principal stretch; ``stress``:
-    (k, n) largest principal Cauchy stress [Pa]. float32.
+    (k, n) largest principal Cauchy stress [Pa]; ``contact_pressure``: (k, n) [Pa], None where
+    nothing can touch. float32.
     """
 
     vertices: np.ndarray
@@ -114,6 +115,7 @@ class SurfaceFields:
     displacement: np.ndarray
     stretch: np.ndarray
     stress: np.ndarray
+    contact_pressure: np.ndarray | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -132,6 +132,9 @@ class DesignCheck(Answer):
     derived: list[DerivedValue]
     assumptions: list[str] = Field(description="Dimensions no source gives, as sentences")
     drawing: Drawing
+    unavailable_files: dict[str, str] = Field(
+        description="Kinds of files that this family does not have, each with the reason"
+    )
 
 
 class NewDesign(Body):

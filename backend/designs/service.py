@@ -15,6 +15,7 @@ from backend.designs.schemas import (
     NewDesign,
     NewVersion,
 )
+from backend.fabrication.service import unavailable
 from backend.history import versions
 from backend.history.schemas import VersionDetail
 from storage import DesignRow, Store
@@ -32,6 +33,7 @@ def check(body: CheckRequest) -> DesignCheck:
         ],
         assumptions=list(design.assumptions()),
         drawing=Drawing.model_validate(drawing(design)),
+        unavailable_files=unavailable(design),
     )
 
 

@@ -4,10 +4,10 @@ from typing import Literal
 
 from pydantic import Field
 
-from backend.documents import Answer, Body, DesignDocument, Name
+from backend.documents import Answer, Body, DesignDocument, Name, SceneDocument
 
-ExportKind = Literal["mould-svg", "actuator-stl"]
-FileKind = Literal["mould-svg", "actuator-stl", "result-json", "result-csv"]
+ExportKind = Literal["mould-svg", "actuator-stl", "inp"]
+FileKind = Literal["mould-svg", "actuator-stl", "inp", "result-vtu", "result-json", "result-csv"]
 
 
 class FileInfo(Answer):
@@ -27,4 +27,7 @@ class ExportRequest(Body):
 
     design: DesignDocument
     what: ExportKind
+    scene: SceneDocument | None = Field(
+        default=None, description="What the model is loaded by; needed for inp"
+    )
     name: Name = Field(default="actuator", description="Stem of the file's name")

@@ -14,12 +14,15 @@ from urllib.parse import quote
 
 from fastapi import Response
 
-from actuators.design import Design, SlabDesign, parse_design
+from actuators.design import Design, parse_design
 from actuators.errors import InputError, QuestionError
-from actuators.export import write
-from backend.designs.question import read_design
+from actuators.export import ModelQuestion, write
+from actuators.export import available as family_files
+from actuators.mechanics.scene import Scene
+from backend.designs.question import read_design, read_scene
 from backend.fabrication.schemas import ExportKind, ExportRequest, FileInfo, FileKind
-from storage import NotFoundError, Store, VersionRow
+from storage import NotFoundError, ResultRow, Store, VersionRow
+from storage.response_arrays import unpack
 
 
 @dataclass(frozen=True)
@@ -29,13 +32,16 @@ class _Kind:
     media_type: str
 
 
+_ZIP = "application/zip"
 _KINDS: Mapping[FileKind, _Kind] = {
     "mould-svg": _Kind("Mould, laser-cut layers", "svg", "image/svg+xml"),
     "actuator-stl": _Kind("Actuator, surface in mm", "stl", "model/stl"),
+    "inp": _Kind("Finite-element model, deck for CalculiX and Abaqus", "inp", "text/plain"),
+    "result-vtu": _Kind("Finite-element result, surface fields for ParaView", "zip", _ZIP),
     "result-json": _Kind("Finite-element result, complete", "json", "application/json"),
     "result-csv": _Kind("Finite-element result, path", "csv", "text/csv; charset=utf-8"),
 }
-_ZIP = "application/zip"
+_RESULTS = ("result-vtu", "result-json", "result-csv")
 
 
 def available(store: Store, version_id: str) -> list[FileInfo]:
@@ -52,19 +58,20 @@ def of_version(store: Store, version_id: str, what: FileKind, known_tag: str | N
     if reason:
         raise QuestionError(reason, field="what", value=what, mend="Choose another file.")
     stem = _stem(store, version)
-    if what == "result-json" or what == "result-csv":
-        document = _result(store, version)
-        body = _json(document) if what == "result-json" else _csv(document)
+    if what == "result-vtu" or what == "result-json" or what == "result-csv":
         name, media_type = f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type
+        body = _of_result(store, _result(store, version), what)
     else:
-        name, media_type, body = _exported(read_design(version.document), what, stem)
+        design, scene = read_design(version.document), read_scene(version.scene)
+        name, media_type, body = _exported(design, scene, what, stem)
     return _download(name, media_type, body, known_tag)
 
 
 def of_design(body: ExportRequest) -> Response:
     """A file of a design that is not saved."""
     design = read_design(body.design)
-    name, media_type, data = _exported(design, body.what, _slug(body.name))
+    scene = None if body.scene is None else read_scene(body.scene)
+    name, media_type, data = _exported(design, scene, body.what, _slug(body.name))
     return _download(name, media_type, data, None)
 
 
@@ -78,34 +85,72 @@ def _info(store: Store, version: VersionRow, stem: str, what: FileKind) -> FileI
 
 
 def _reason(store: Store, version: VersionRow, what: FileKind) -> str:
-    if what in ("result-json", "result-csv"):
+    if what in _RESULTS:
         if store.best_result(version.document, version.scene, "fe") is None:
             return "There is no finite-element result of this version yet."
         return ""
     try:
-        design = read_design(version.document)
+        design, scene = read_design(version.document), read_scene(version.scene)
+        if what == "inp":
+            _made(design, scene, what)
     except InputError as error:
         return str(error)
-    if what == "mould-svg" and not isinstance(design, SlabDesign):
-        return "Laser-cut moulds are made for slabs only."
-    return ""
+    return unavailable(design).get(what, "")
 
 
-def _result(store: Store, version: VersionRow) -> dict[str, Any]:
+def unavailable(design: Design) -> dict[str, str]:
+    """Files that a family does not have, by kind, each with the reason."""
+    reasons: dict[str, str] = {}
+    if "mould-svg" not in family_files(design):
+        try:
+            write(design, "mould-svg")
+        except QuestionError as error:
+            reasons["mould-svg"] = str(error)
+    return reasons
+
+
+def _result(store: Store, version: VersionRow) -> ResultRow:
     best = store.best_result(version.document, version.scene, "fe")
     if best is None:
         raise NotFoundError("result of version", version.id)
-    return best.document
+    return best
+
+
+def _of_result(store: Store, result: ResultRow, what: FileKind) -> bytes:
+    if what == "result-json":
+        return _json(result.document)
+    if what == "result-csv":
+        return _csv(result.document)
+    if result.artifact_sha256 is None:
+        raise NotFoundError("surface of result", result.digest)
+    arrays = unpack(store.get_artifact(result.artifact_sha256))
+    if arrays.surface is None:
+        raise NotFoundError("surface of result", result.digest)
+    # loads the solver's kernels: only when asked for
+    from actuators.export.vtu import surface_series
+
+    design = read_design(result.document["design"])
+    title = f"{design.title}, design {result.design_digest[:12]}, scene {result.scene_digest[:12]}"
+    return _zipped(surface_series(arrays.surface, list(arrays.pressures), title))
 
 
 @lru_cache(maxsize=8)
-def _files(document: str, what: ExportKind) -> dict[str, bytes]:
-    return write(parse_design(json.loads(document)), what)
+def _files(design: str, scene: str, what: ExportKind) -> dict[str, bytes]:
+    loads = None if scene == "null" else ModelQuestion(read_scene(json.loads(scene)))
+    return write(parse_design(json.loads(design)), what, loads)
 
 
-def _exported(design: Design, what: ExportKind, stem: str) -> tuple[str, str, bytes]:
+def _made(design: Design, scene: Scene | None, what: ExportKind) -> dict[str, bytes]:
+    """Files by name; only a model depends on the scene."""
+    loads = scene.to_document() if scene is not None and what == "inp" else None
+    return _files(json.dumps(design.to_document()), json.dumps(loads), what)
+
+
+def _exported(
+    design: Design, scene: Scene | None, what: ExportKind, stem: str
+) -> tuple[str, str, bytes]:
     """File name, media type and bytes; several files come as one zip."""
-    files = _files(json.dumps(design.to_document()), what)
+    files = _made(design, scene, what)
     if len(files) == 1:
         return f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type, next(iter(files.values()))
     return f"{stem}-{what}.zip", _ZIP, _zipped(files)

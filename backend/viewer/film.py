@@ -129,6 +129,8 @@ def stored_film(
         "stretch": fields.stretch[which],
         "stress": fields.stress[which],
     }
+    if fields.contact_pressure is not None:
+        values["contact"] = fields.contact_pressure[which]
     if mirrored:
         flip = np.array([1.0, -1.0, 1.0])
         triangles = np.concatenate([triangles, triangles[:, ::-1] + len(vertices)])

@@ -35,6 +35,7 @@ _SCALES: dict[Colour, _Scale] = {
     "displacement": _Scale("Displacement", "mm", 1e-3, "viridis"),
     "stretch": _Scale("Largest principal stretch", "", 1.0, "cividis"),
     "stress": _Scale("Largest principal stress", "kPa", 1e3, "inferno"),
+    "contact": _Scale("Contact pressure", "kPa", 1e3, "inferno"),
 }
 
 
@@ -109,7 +110,7 @@ def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
     scale = _SCALES[colour]
     values = film.values[colour].astype(np.float32) / np.float32(scale.unit_si)
     lower = 1.0 if colour == "stretch" else 0.0
-    if colour == "displacement":
+    if colour in ("displacement", "contact"):
         upper = float(values.max())
     else:
         # a re-entrant corner has no finite stress: its few points must not flatten all others

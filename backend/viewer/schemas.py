@@ -6,7 +6,7 @@ from pydantic import Field
 
 from backend.documents import Answer, Body, DesignDocument, SceneDocument
 
-Colour = Literal["displacement", "stretch", "stress", "none"]
+Colour = Literal["displacement", "stretch", "stress", "contact", "none"]
 Camera = Literal["three-quarter", "side", "top", "front"]
 
 

@@ -52,7 +52,7 @@ def test_an_oblique_design_says_why_it_has_no_laser_cut_mould(client: TestClient
     version = saved(client, "Oblique", OBLIQUE)
     offered = {f["what"]: f for f in client.get(f"/api/versions/{version['id']}/files").json()}
     assert not offered["mould-svg"]["available"]
-    assert "slabs" in offered["mould-svg"]["reason"]
+    assert "slab" in offered["mould-svg"]["reason"]
     answer = client.get(f"/api/versions/{version['id']}/files/mould-svg")
     assert answer.status_code == 422
 
@@ -63,3 +63,20 @@ def test_a_design_that_is_not_saved_is_exported(client: TestClient) -> None:
     answer = client.post("/api/export", json=body)
     assert answer.headers["content-disposition"].startswith('attachment; filename="trial.stl"')
     assert len(client.get("/api/designs").json()) == before
+
+
+def test_a_model_comes_as_a_deck_of_its_scene(client: TestClient) -> None:
+    version = saved(client, "Deck", {**SLAB, "length_mm": 94})
+    deck = client.get(f"/api/versions/{version['id']}/files/inp")
+    assert deck.headers["content-disposition"].startswith('attachment; filename="deck-v1.inp"')
+    assert b"*DLOAD" in deck.content or b"*DSLOAD" in deck.content
+    plate = {"pressure_kPa": {"to": 5}, "plate": {"gap_mm": 5}}
+    body = {"design": SLAB, "scene": plate, "what": "inp"}
+    assert client.post("/api/export", json=body).json()["detail"]["field"] == "plate"
+    assert client.post("/api/export", json={**body, "scene": None}).status_code == 422
+
+
+def test_a_family_that_is_not_cast_says_so_with_its_check(client: TestClient) -> None:
+    for design, cast in ((SLAB, True), (OBLIQUE, False)):
+        checked = client.post("/api/designs/check", json={"design": design}).json()
+        assert ("mould-svg" in checked["unavailable_files"]) is not cast

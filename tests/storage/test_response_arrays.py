@@ -9,7 +9,7 @@ from actuators.mechanics.scene import Scene
 from storage.response_arrays import pack, unpack
 
 
-def response(*, surface: bool) -> Response:
+def response(*, surface: bool, contact: bool = False) -> Response:
     rng = np.random.default_rng(7)
     k, s, n, m = 3, 11, 200, 396
     centreline = Centreline(
@@ -21,6 +21,7 @@ def response(*, surface: bool) -> Response:
         displacement=rng.normal(size=(k, n, 3)).astype(np.float32),
         stretch=rng.uniform(1, 2, (k, n)).astype(np.float32),
         stress=rng.uniform(0, 1e5, (k, n)).astype(np.float32),
+        contact_pressure=rng.uniform(0, 1e4, (k, n)).astype(np.float32) if contact else None,
     )
     zero = (0.0, 0.0, 0.0)
     path = tuple(PathPoint(p, zero, zero, None, 0.0, None, None) for p in (0.0, 1e4, 2e4))
@@ -62,3 +63,15 @@ def test_pickled_arrays_are_refused() -> None:
     np.savez(target, pressures=np.array([{"not": "an array"}], dtype=object))
     with pytest.raises(ValueError, match="allow_pickle"):
         unpack(target.getvalue())
+
+
+def test_contact_pressures_are_kept_where_there_are_any() -> None:
+    given = response(surface=True, contact=True).surface
+    assert given is not None
+    back = unpack(pack(response(surface=True, contact=True))).surface
+    assert back is not None
+    assert back.contact_pressure is not None
+    np.testing.assert_array_equal(back.contact_pressure, given.contact_pressure)
+    without = unpack(pack(response(surface=True))).surface
+    assert without is not None
+    assert without.contact_pressure is None

@@ -106,6 +106,7 @@ def surface_fields(
         point_stretch, point_stress = recovery.at_points(state)
         stretch[row] = np.maximum(recovery.at_nodes(point_stretch)[nodes], 1.0)
         stress[row] = recovery.at_nodes(point_stress)[nodes]
+    contact = _contact_pressure(system, states, nodes)
     vertices = mesh.nodes[nodes]
     if mesh.is_half:
         off_plane = np.flatnonzero(mesh.node_index[nodes, 1] > 0)
@@ -116,6 +117,8 @@ def surface_fields(
         displacement = np.concatenate([displacement, displacement[:, off_plane] * mirror], axis=1)
         stretch = np.concatenate([stretch, stretch[:, off_plane]], axis=1)
         stress = np.concatenate([stress, stress[:, off_plane]], axis=1)
+        if contact is not None:
+            contact = np.concatenate([contact, contact[:, off_plane]], axis=1)
         triangles = np.concatenate([triangles, twin[triangles][:, ::-1]])
     return SurfaceFields(
         vertices=vertices.astype(np.float32),
@@ -123,7 +126,19 @@ def surface_fields(
         displacement=displacement.astype(np.float32),
         stretch=stretch.astype(np.float32),
         stress=stress.astype(np.float32),
+        contact_pressure=None if contact is None else contact.astype(np.float32),
     )
+
+
+def _contact_pressure(
+    system: ContinuumSystem, states: Sequence[State], nodes: np.ndarray
+) -> np.ndarray | None:
+    """(k, n) at ``nodes`` [Pa]; None where nothing can touch."""
+    if not system.interactions or not states:
+        return None
+    at = [system.mesh.nodes + state.displacement for state in states]
+    pressed = [sum(i.contact_pressure(x)[nodes] for i in system.interactions) for x in at]
+    return np.array(pressed)
 
 
 def _surface(mesh: HexMesh) -> tuple[np.ndarray, np.ndarray]:

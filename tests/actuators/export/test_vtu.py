@@ -3,6 +3,7 @@
 import io
 import json
 import xml.etree.ElementTree as ET
+from pathlib import Path
 from typing import Any
 
 import meshio
@@ -11,8 +12,9 @@ import pytest
 
 from actuators.design import preset
 from actuators.export import ModelQuestion, write
-from actuators.export.vtu import NODE_ORDER
+from actuators.export.vtu import NODE_ORDER, surface_series
 from actuators.mechanics.continuum.volume_fields import VolumeFields
+from actuators.mechanics.response import SurfaceFields
 from actuators.mechanics.scene import Scene
 
 # where VTK's vtkTriQuadraticHexahedron has its nodes, as VTK 9 prints them
@@ -128,3 +130,24 @@ def test_a_mirrored_half_stays_right_handed(last: Any) -> None:
     cells = raw_connectivity(last)
     a, b, c, d = (last.points[cells[:, k]] for k in (0, 1, 3, 4))
     assert (np.einsum("ni,ni->n", np.cross(b - a, c - a), d - a) > 0).all()
+
+
+def test_a_stored_surface_is_a_series_of_triangles(tmp_path: Path) -> None:
+    """A tetrahedron that is pulled along X1 and pressed at one corner."""
+    vertices = np.array([[0, 0, 0], [0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]], dtype=np.float32)
+    triangles = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    grow = np.array([0.0, 0.1])[:, None]
+    move = np.zeros((2, 4, 3), dtype=np.float32)
+    move[..., 0] = grow * vertices[:, 0]
+    ones = np.ones((2, 4), dtype=np.float32)
+    pressed = np.array([[0, 0, 0, 0], [0, 2e3, 0, 0]], dtype=np.float32)
+    surface = SurfaceFields(vertices, triangles, move, 1 + grow * ones, 5e3 * ones, pressed)
+    files = surface_series(surface, [0.0, 3e3], "tetrahedron")
+    (tmp_path / "last.vtu").write_bytes(files["answer-001.vtu"])
+    read = meshio.read(tmp_path / "last.vtu")
+    np.testing.assert_array_equal(read.cells_dict["triangle"], triangles)
+    np.testing.assert_allclose(read.points, vertices * 1e3, atol=1e-6)
+    np.testing.assert_allclose(read.point_data["displacement_mm"][1], [1.0, 0, 0], atol=1e-6)
+    np.testing.assert_allclose(read.point_data["contact_pressure_kPa"], [0, 2, 0, 0])
+    times = [e.attrib["timestep"] for e in ET.fromstring(files["answer.pvd"]).iter("DataSet")]
+    assert times == ["0", "3"]
