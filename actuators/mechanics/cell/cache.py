@@ -20,7 +20,11 @@ def cell_response(body: Body) -> CellResponse:
     """Answer of :func:`solve_cell` on the coarse mesh, from this process's store if the same cell
     (positions, filling, moduli) was asked for before."""
     materials = tuple(material(region.material) for region in body.regions)
-    corners = np.stack(np.meshgrid(*body.lines, indexing="ij"), axis=-1)
+    lines = body.lines
+    if body.curved:  # arcs are told apart by the middles of their blocks
+        x = lines[0]
+        lines = (np.concatenate([x, (x[:-1] + x[1:]) / 2]), *lines[1:])
+    corners = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)
     position = np.rint(body.place(corners) / _RESOLUTION).astype(np.int64)
     moduli = np.array([[m.shear_modulus, m.finite_bulk_modulus] for m in materials])
     sheets = np.array([[s.plane, s.stiffness] for s in body.membranes])

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from actuators.design import Design, preset
+from actuators.geometry.volumes import exact_volumes
 from actuators.mechanics.cell.row import chamber_row
 from actuators.mechanics.continuum.solve import solve
 from actuators.mechanics.predict import predict
-from actuators.mechanics.response import Response
+from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
 
 SMALL = Scene(200.0, steps=1, gravity=None)  # 0.2 kPa: strains below 0.002
@@ -42,8 +43,24 @@ def test_gapped_chambers_bend_inside_as_the_cell(name: str, tolerance: float) ->
     assert instant == pytest.approx(found, rel=tolerance)
 
 
+def test_two_bellows_bend_in_3d() -> None:
+    """Curved elements under pressure in the nonlinear solver: towards the bottom, and its cavity
+    grows about as much as the cells' do."""
+    design = preset("bellows-11-2.0").design.changed(chamber_count=2, length=27.5)
+    found = solve(design, Scene(2e3, steps=1, gravity=None), accuracy=1.0)
+    assert found.outcome is Outcome.CONVERGED
+    start = exact_volumes(design).cavity
+    grown, expected = (
+        (answer.path[-1].cavity_volume or 0.0) - start
+        for answer in (found, predict(design, Scene(2e3, gravity=None)))
+    )
+    assert found.path[-1].tip_displacement[2] < 0
+    assert grown == pytest.approx(expected, rel=0.25)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "tolerance"), [("oblique-90", 0.05), ("slab-triangle-low", 0.05),
+                                                 ("printed-14", 0.05), ("bellows-11-2.0", 0.06),
                                                  ("slab-rectangle-low", 0.15)])  # fmt: skip
 def test_tip_moves_as_in_3d_at_small_pressure(name: str, tolerance: float) -> None:
     """End effects included: about a tenth on slabs half as wide as long. On the long narrow bar the
