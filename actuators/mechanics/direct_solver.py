@@ -8,6 +8,7 @@ import ctypes
 import sys
 import warnings
 from abc import ABC, abstractmethod
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -59,15 +60,20 @@ def open_solver(indptr: np.ndarray, indices: np.ndarray) -> SymmetricSolver:
         return SuperLuSolver(indptr, indices)
 
 
+@lru_cache(maxsize=1)
+def _pardiso() -> Any:
+    """MKL's entry point. pypardiso finds and loads the library, walking through the whole
+    environment each time it is asked; its own calls copy the pattern every time."""
+    from pypardiso import PyPardisoSolver
+
+    return PyPardisoSolver(mtype=-2).libmkl.pardiso  # type: ignore[union-attr]
+
+
 class PardisoSolver(SymmetricSolver):
     """MKL Pardiso; the symbolic analysis is done once and kept."""
 
     def __init__(self, indptr: np.ndarray, indices: np.ndarray) -> None:
-        from pypardiso import PyPardisoSolver
-
-        # pypardiso finds and loads the library; its own calls copy the pattern every time
-        self._library = PyPardisoSolver(mtype=-2)
-        self._call = self._library.libmkl.pardiso  # type: ignore[union-attr]
+        self._call = _pardiso()
         self._handle = np.zeros(64, dtype=np.int64)
         self._perm = np.zeros(1, dtype=np.int32)
         self._iparm = np.zeros(64, dtype=np.int32)
