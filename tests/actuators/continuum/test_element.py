@@ -26,7 +26,11 @@ def stress_and_tangent(law, f: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     elif law.code == 2:
         add_mooney_rivlin_law(c, f, inverse_transpose(f, h), h, True, p, a)
     else:
-        add_i1_law(c, f, inverse_transpose(f, h), h, True, p, a)
+        det = inverse_transpose(f, h)
+        add_i1_law(c, float((f * f).sum()), det, f, h, np.eye(3), True, p, a)
+    for i in range(3):  # only i <= k is filled
+        for k in range(i):
+            a[3 * i : 3 * i + 3, 3 * k : 3 * k + 3] = a[3 * k : 3 * k + 3, 3 * i : 3 * i + 3].T
     return p, a
 
 

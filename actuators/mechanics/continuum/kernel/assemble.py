@@ -18,6 +18,7 @@ from actuators.mechanics.continuum.kernel.condense import (
 )
 from actuators.mechanics.continuum.kernel.element import integrate_element
 from actuators.mechanics.continuum.kernel.membrane import add_membrane
+from actuators.mechanics.continuum.kernel.tensor import BLOCK, BLOCKS, PLACE
 
 
 @njit(cache=True)
@@ -49,7 +50,8 @@ def _add_pressure(
                 for m in range(9):
                     for i in range(3):
                         for j in range(i, 3):
-                            k[i, j, face_nodes[side, n], face_nodes[side, m]] += hessian[n, i, m, j]
+                            place = PLACE[face_nodes[side, n], face_nodes[side, m]]
+                            k[place, BLOCK[i, j]] += hessian[n, i, m, j]
 
 
 @njit(cache=True, parallel=True)
@@ -105,7 +107,7 @@ def assemble(
                     x[n, i] = nodes[elements[e, n], i]
                     u[n, i] = displacement[elements[e, n], i]
             r, rq = np.empty((27, 3)), np.empty(4)
-            k = np.empty((3, 3, 27, 27))
+            k = np.empty((729, BLOCKS))
             b, mass = np.empty((27, 3, 4)), np.empty((4, 4))
             s = region[e]
             least[e] = integrate_element(

@@ -7,6 +7,8 @@ are the centre's three displacements, then the four pressures.
 import numpy as np
 from numba import njit
 
+from actuators.mechanics.continuum.kernel.tensor import BLOCK, PLACE
+
 OUTER, INNER, CENTRE = 78, 7, 13
 
 
@@ -68,7 +70,7 @@ def condense_element(
     to_outer = np.empty((INNER, OUTER))
     for i in range(3):
         for j in range(3):
-            inner[i, j] = k[i, j, CENTRE, CENTRE] if i <= j else k[j, i, CENTRE, CENTRE]
+            inner[i, j] = k[PLACE[CENTRE, CENTRE], BLOCK[i, j]]
         for m in range(4):
             inner[i, 3 + m] = b[CENTRE, i, m]
             inner[3 + m, i] = b[CENTRE, i, m]
@@ -81,7 +83,8 @@ def condense_element(
         node = p if p < CENTRE else p + 1
         for m in range(3):
             for i in range(3):
-                to_outer[i, 3 * p + m] = k[i, m, CENTRE, node] if i <= m else k[m, i, node, CENTRE]
+                place = PLACE[CENTRE, node] if i <= m else PLACE[node, CENTRE]
+                to_outer[i, 3 * p + m] = k[place, BLOCK[i, m]]
             for n in range(4):
                 to_outer[3 + n, 3 * p + m] = b[node, m, n]
     for z in range(INNER):
@@ -97,10 +100,9 @@ def condense_element(
             r = 3 * p + i
             for n in range(p, 26):
                 column = n if n < CENTRE else n + 1
+                ahead, back = PLACE[row, column], PLACE[column, row]
                 for m in range(3):
-                    stiffness[r, 3 * n + m] = (
-                        k[i, m, row, column] if i <= m else k[m, i, column, row]
-                    )
+                    stiffness[r, 3 * n + m] = k[ahead if i <= m else back, BLOCK[i, m]]
             for z in range(INNER):
                 factor = to_outer[z, r]
                 for c in range(3 * p, OUTER):

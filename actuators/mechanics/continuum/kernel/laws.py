@@ -1,7 +1,7 @@
 """First Piola-Kirchhoff stress and its derivative for the isochoric laws.
 
-F is (3, 3); P is (3, 3) [Pa]; the tangent dP_iJ/dF_kL is (9, 9) at [3 i + J, 3 k + L]. Both are
-added to what the caller holds.
+F is (3, 3); P is (3, 3) [Pa]; the tangent dP_iJ/dF_kL is (9, 9) at [3 i + J, 3 k + L], wanted for
+i <= k only: it is symmetric. Both are added to what the caller holds.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ from actuators.mechanics.continuum.kernel.eigen import symmetric_eigen
 I1_LAW, OGDEN_LAW, MOONEY_RIVLIN_LAW = 0, 1, 2
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def inverse_transpose(f: np.ndarray, h: np.ndarray) -> float:
     """h = F^-T; returns J = det F."""
     h[0, 0] = f[1, 1] * f[2, 2] - f[1, 2] * f[2, 1]
@@ -32,65 +32,68 @@ def inverse_transpose(f: np.ndarray, h: np.ndarray) -> float:
     return det
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def add_pressure(
     q: float, det: float, h: np.ndarray, want_tangent: bool, p: np.ndarray, a: np.ndarray
 ) -> None:
-    """q (J - 1): P += q J H, with H = F^-T."""
+    """q (J - 1): P += q J H, with H = F^-T. In any coordinates, see :func:`add_i1_law`."""
+    s = q * det
     for i in range(3):
         for j in range(3):
-            p[i, j] += q * det * h[i, j]
+            p[i, j] += s * h[i, j]
     if want_tangent:
         for i in range(3):
-            for j in range(3):
-                for k in range(3):
+            for k in range(i, 3):
+                for j in range(3):
                     for m in range(3):
-                        a[3 * i + j, 3 * k + m] += q * det * (h[i, j] * h[k, m] - h[i, m] * h[k, j])
+                        a[3 * i + j, 3 * k + m] += s * (h[i, j] * h[k, m] - h[i, m] * h[k, j])
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def add_i1_law(
     c: np.ndarray,
-    f: np.ndarray,
+    first: float,
     det: float,
+    f: np.ndarray,
     h: np.ndarray,
+    metric: np.ndarray,
     want_tangent: bool,
     p: np.ndarray,
     a: np.ndarray,
 ) -> None:
-    """W = C10 x + C20 x^2 + C30 x^3, x = J^(-2/3) I1 - 3 (Yeoh; neo-Hooke with C20 = C30 = 0)."""
-    first = 0.0
-    for i in range(3):
-        for j in range(3):
-            first += f[i, j] * f[i, j]
+    """W = C10 x + C20 x^2 + C30 x^3, x = J^(-2/3) I1 - 3 (Yeoh; neo-Hooke with C20 = C30 = 0).
+
+    In any coordinates xi: with D_dJ = dxi_d/dX_J, ``f`` = F D^T, ``h`` = F^-T D^T, ``metric`` =
+    D D^T; ``p`` and ``a`` come out as P D^T and its derivative likewise. ``first``: I1.
+    """
     g = det ** (-2.0 / 3.0)
     x = g * first - 3.0
     slope = c[0] + x * (2.0 * c[1] + x * 3.0 * c[2])
-    bend = 2.0 * c[1] + 6.0 * c[2] * x
-    d = np.empty((3, 3))
+    s = 2.0 * slope * g
+    third = first / 3.0
     for i in range(3):
         for j in range(3):
-            d[i, j] = f[i, j] - first / 3.0 * h[i, j]
-            p[i, j] += 2.0 * slope * g * d[i, j]
+            p[i, j] += s * (f[i, j] - third * h[i, j])
     if not want_tangent:
         return
-    s = 2.0 * slope * g
-    b = 4.0 * bend * g * g
+    b = 4.0 * (2.0 * c[1] + 6.0 * c[2] * x) * g * g
+    turn = 2.0 / 3.0 * s
     for i in range(3):
         for j in range(3):
-            for k in range(3):
+            d = f[i, j] - third * h[i, j]
+            for k in range(i, 3):
                 for m in range(3):
-                    a[3 * i + j, 3 * k + m] += b * d[i, j] * d[k, m] + s * (
-                        first / 3.0 * h[i, m] * h[k, j]
-                        - 2.0 / 3.0 * (d[i, j] * h[k, m] + h[i, j] * f[k, m])
+                    a[3 * i + j, 3 * k + m] += (
+                        (b * d - turn * h[i, j]) * f[k, m]
+                        - (b * third + turn) * d * h[k, m]
+                        + s * third * (h[i, m] * h[k, j])
                     )
         for j in range(3):
-            for k in range(3):
-                if i == k:
-                    a[3 * i + j, 3 * k + j] += s
+            for m in range(3):
+                a[3 * i + j, 3 * i + m] += s * metric[j, m]
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def add_mooney_rivlin_law(
     c: np.ndarray,
     f: np.ndarray,
@@ -136,7 +139,7 @@ def add_mooney_rivlin_law(
             ahead = b11 * d[i, j] + b12 * e[i, j]
             behind = b12 * d[i, j] + b22 * e[i, j]
             turn = -2.0 / 3.0 * s1 * d[i, j] - 4.0 / 3.0 * s2 * e[i, j]
-            for k in range(3):
+            for k in range(i, 3):
                 for n in range(3):
                     value = ahead * d[k, n] + behind * e[k, n] + both * h[i, n] * h[k, j]
                     value += turn * h[k, n]
@@ -151,7 +154,7 @@ def add_mooney_rivlin_law(
                     a[3 * i + j, 3 * k + n] += value
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def add_ogden_law(
     c: np.ndarray, count: int, f: np.ndarray, want_tangent: bool, p: np.ndarray, a: np.ndarray
 ) -> None:
@@ -206,7 +209,7 @@ def add_ogden_law(
         _add_spectral_tangent(beta, db, over, square, n, axes, a)
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def _add_spectral_tangent(
     beta: np.ndarray,
     db: np.ndarray,
@@ -216,7 +219,33 @@ def _add_spectral_tangent(
     axes: np.ndarray,
     a: np.ndarray,
 ) -> None:
-    """Tangent from principal values: S_i = beta_i / l_i^2 along N_i, n_i = F N_i."""
+    """Tangent from principal values: S_i = beta_i / l_i^2 along N_i, n_i = F N_i.
+
+    Sum of nine products of (3, 3) tensors n_i N_j, plus the stress between equal components.
+    """
+    mixed, right = np.empty((9, 9)), np.zeros((9, 9))
+    for i in range(3):
+        for j in range(3):
+            for r in range(3):
+                for p in range(3):
+                    mixed[3 * i + j, 3 * r + p] = n[r, i] * axes[p, j]
+    for i in range(3):
+        for j in range(3):
+            at = 3 * i + j
+            scale = square[i] * square[j]
+            normal, shear = db[i, j] / scale, 0.0
+            if i == j:
+                normal -= 2.0 * beta[i] / scale
+            else:
+                shear = over[i, j] / square[i] - beta[j] / scale
+            for q in range(9):
+                right[at, q] += shear * (mixed[at, q] + mixed[3 * j + i, q])
+                right[4 * i, q] += normal * mixed[4 * j, q]
+    for row in range(9):
+        for at in range(9):
+            factor = mixed[at, row]
+            for column in range(9):
+                a[row, column] += factor * right[at, column]
     for i in range(3):
         s = beta[i] / square[i]
         for j in range(3):
@@ -224,25 +253,3 @@ def _add_spectral_tangent(
                 both = s * axes[j, i] * axes[m, i]
                 for r in range(3):
                     a[3 * r + j, 3 * r + m] += both
-    for i in range(3):
-        for j in range(3):
-            normal = db[i, j]
-            if i == j:
-                normal -= 2.0 * beta[i]
-            normal /= square[i] * square[j]
-            shear = 0.0
-            if i != j:
-                shear = over[i, j] / square[i] - beta[j] / (square[i] * square[j])
-            for r in range(3):
-                for p in range(3):
-                    for s in range(3):
-                        for q in range(3):
-                            value = normal * n[r, i] * axes[p, i] * n[s, j] * axes[q, j]
-                            if i != j:
-                                value += (
-                                    shear
-                                    * n[r, i]
-                                    * axes[p, j]
-                                    * (n[s, i] * axes[q, j] + n[s, j] * axes[q, i])
-                                )
-                            a[3 * r + p, 3 * s + q] += value

@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from actuators.mechanics.continuum.kernel.shape import square_shape
+from actuators.mechanics.continuum.kernel.tensor import BLOCK, PLACE
 
 
 def _points(first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
@@ -89,8 +90,8 @@ def add_membrane(
     areas: np.ndarray,
     gradient: np.ndarray,
 ) -> None:
-    """Adds a sheet of ``stiffness`` K [N/m] on one face to ``r`` (27, 3) and ``k`` (3, 3, 27, 27;
-    i <= m only), with ``force`` N (6,) [N/m] eliminated from the latter.
+    """Adds a sheet of ``stiffness`` K [N/m] on one face to ``r`` (27, 3) and ``k`` (729, 6),
+    with ``force`` N (6,) [N/m] eliminated from the latter.
 
     Energy N (lambda - 1) - N^2 / (2 K). ``nodes``: (9,) local nodes of the face. Fills ``gap`` (6,)
     = lambda - 1 - N/K and, with the tangent, ``areas`` (6,), ``gradient`` (6, 9, 3) = dlambda/du.
@@ -126,4 +127,4 @@ def add_membrane(
                         value += turning
                     for n in range(9):
                         for p in range(9):
-                            k[i, m, nodes[n], nodes[p]] += value * slope[n] * slope[p]
+                            k[PLACE[nodes[n], nodes[p]], BLOCK[i, m]] += value * slope[n] * slope[p]

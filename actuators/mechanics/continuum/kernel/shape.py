@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def _line(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def line_shape(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Values and derivatives (n, 3) of the three quadratic functions at x (n,)."""
     value = np.stack([x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2], axis=-1)
     slope = np.stack([x - 0.5, -2 * x, x + 0.5], axis=-1)
@@ -12,7 +12,7 @@ def _line(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def cube_shape(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Values (n, 27) and local derivatives (n, 3, 27) at ``points`` (n, 3), node i + 3 j + 9 k."""
-    (x, dx), (y, dy), (z, dz) = (_line(points[:, d]) for d in range(3))
+    (x, dx), (y, dy), (z, dz) = (line_shape(points[:, d]) for d in range(3))
 
     def product(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
         return np.einsum("nk,nj,ni->nkji", c, b, a).reshape(len(points), 27)
@@ -23,7 +23,7 @@ def cube_shape(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def square_shape(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Values (n, 9) and local derivatives (n, 2, 9) at ``points`` (n, 2), node i + 3 j."""
-    (x, dx), (y, dy) = (_line(points[:, d]) for d in range(2))
+    (x, dx), (y, dy) = (line_shape(points[:, d]) for d in range(2))
 
     def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         return np.einsum("nj,ni->nji", b, a).reshape(len(points), 9)
