@@ -1,6 +1,7 @@
 import { QueryClient, useQuery } from "@tanstack/react-query";
 
 import { api, ApiProblem, take } from "./client";
+import type { Preset } from "./types";
 
 export const queryClient = new QueryClient({
   defaultOptions: {
@@ -33,6 +34,15 @@ export const presets = {
   queryFn: () => take(api.GET("/api/presets")),
   ...FOREVER,
 };
+
+/** Of a preset as it is published: its drawing never changes. */
+export function presetDrawing(preset: Preset) {
+  return {
+    queryKey: ["preset-drawing", preset.name],
+    queryFn: () => take(api.POST("/api/designs/check", { body: { design: preset.design } })),
+    ...FOREVER,
+  };
+}
 
 export const materials = {
   queryKey: ["materials"],

@@ -15,6 +15,7 @@ export type Prediction = Schemas["Prediction"];
 export type LeftOut = Schemas["LeftOutLoad"];
 export type Result = Schemas["ResultDocument"];
 export type PathPoint = Schemas["PathPoint"];
+export type FileKind = Schemas["FileInfo"]["what"];
 export type Job = Schemas["Job"];
 export type DesignSummary = Schemas["DesignSummary"];
 export type DesignDetail = Schemas["DesignDetail"];

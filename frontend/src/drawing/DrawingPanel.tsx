@@ -13,6 +13,7 @@ import { readDesign, spell } from "../workbench/document";
 import { capital } from "../ui/numbers";
 import { DimensionMark } from "./DimensionMark";
 import { namePlate } from "./label";
+import { toneOf } from "./tone";
 import { clampSpan, layOut, toPixel, type Layout } from "./layout";
 
 /** Section and planform; the dimension in focus or under the pointer is drawn in. */
@@ -70,12 +71,6 @@ function DrawingCanvas({ check, parameter }: { check: DesignCheck; parameter: Pa
       )}
     </div>
   );
-}
-
-/** One tone for each region's part in the body: the layer below, and what stands on it. */
-function toneOf(check: DesignCheck, region: string | null): string {
-  const index = check.drawing.regions.findIndex((each) => each.name === region);
-  return ["stiff", "soft"][index] ?? "air";
 }
 
 function ringPath(points: readonly (readonly [number, number])[]): string {

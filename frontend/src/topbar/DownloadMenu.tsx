@@ -1,16 +1,39 @@
 import { useState } from "react";
 
+import { usePick } from "../api/store";
+import type { FileKind } from "../api/types";
+import { useShownFe } from "../results/shown";
 import { Icon } from "../ui/Icon";
+import { sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
-import { download, type Download } from "./download";
+import { answers } from "../workbench/answers";
+import { isChanged } from "../workbench/timeline";
+import { bench } from "../workbench/workbench";
+import { download } from "./download";
 
-const FILES: readonly { what: Download; title: string; text: string }[] = [
+interface Entry {
+  what: FileKind;
+  title: string;
+  text: string;
+}
+
+const MAKE: readonly Entry[] = [
   { what: "mould-svg", title: "Mould, SVG", text: "Sheets for the laser cutter, true millimetres" },
   { what: "actuator-stl", title: "Actuator, STL", text: "Closed surface of the body, for printing and CAD" },
 ];
 
+const SIMULATE: readonly Entry[] = [
+  { what: "inp", title: "Model, INP", text: "Deck for CalculiX and Abaqus, with these loads" },
+];
+
+const RESULT: readonly Entry[] = [
+  { what: "result-vtu", title: "Surface fields, VTU", text: "A series over pressure for ParaView, as one zip" },
+  { what: "result-csv", title: "Path, CSV", text: "One line for every pressure" },
+  { what: "result-json", title: "Everything, JSON", text: "As the command line prints it" },
+];
+
+/** Files for making, for other solvers, and of the finite-element result. */
 export function DownloadMenu() {
-  const [busy, setBusy] = useState<Download | null>(null);
   return (
     <Popover
       label="Downloads"
@@ -21,7 +44,7 @@ export function DownloadMenu() {
           className="button plain"
           aria-expanded={open}
           onClick={toggle}
-          title="Files for cutting and printing"
+          title="Files for making, simulating and reporting"
           data-testid="open-downloads"
         >
           <Icon name="download" />
@@ -29,29 +52,64 @@ export function DownloadMenu() {
         </button>
       )}
     >
-      {(close) => (
-        <div className="menu">
-          {FILES.map((file) => (
-            <button
-              key={file.what}
-              type="button"
-              className="menu-item"
-              disabled={busy !== null}
-              data-testid={`download-${file.what}`}
-              onClick={() => {
-                setBusy(file.what);
-                void download(file.what).finally(() => {
-                  setBusy(null);
-                  close();
-                });
-              }}
-            >
-              <span className="menu-title">{file.title}</span>
-              <span className="muted">{busy === file.what ? "Making the file" : file.text}</span>
-            </button>
-          ))}
-        </div>
-      )}
+      {(close) => <Files onDone={close} />}
     </Popover>
+  );
+}
+
+function Files({ onDone }: { onDone: () => void }) {
+  const unavailable = usePick(answers, (now) => now.check?.unavailable_files ?? null);
+  const saved = usePick(bench, (timeline) => {
+    const present = timeline?.present;
+    return present?.origin.kind === "version" && !isChanged(present);
+  });
+  const fe = useShownFe();
+  const noResult = fe && saved ? "" : "Save and run 3D FE first.";
+  return (
+    <div className="menu files-menu">
+      <Section title="Make" entries={MAKE} reason={(what) => unavailable?.[what] ?? ""} onDone={onDone} />
+      <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => ""} onDone={onDone} />
+      <Section title="Result of 3D FE" entries={RESULT} reason={() => noResult} onDone={onDone} />
+    </div>
+  );
+}
+
+interface SectionProps {
+  title: string;
+  entries: readonly Entry[];
+  /** Why a file cannot be had; empty where it can. */
+  reason: (what: FileKind) => string;
+  onDone: () => void;
+}
+
+function Section({ title, entries, reason, onDone }: SectionProps) {
+  const [busy, setBusy] = useState<FileKind | null>(null);
+  return (
+    <section>
+      <h3>{title}</h3>
+      {entries.map((file) => {
+        const why = reason(file.what);
+        return (
+          <button
+            key={file.what}
+            type="button"
+            className="menu-item"
+            disabled={busy !== null || why !== ""}
+            title={why}
+            data-testid={`download-${file.what}`}
+            onClick={() => {
+              setBusy(file.what);
+              void download(file.what).finally(() => {
+                setBusy(null);
+                onDone();
+              });
+            }}
+          >
+            <span className="menu-title">{file.title}</span>
+            <span className="muted">{busy === file.what ? "Making the file" : why ? sentence(why) : file.text}</span>
+          </button>
+        );
+      })}
+    </section>
   );
 }

@@ -8,6 +8,7 @@ import { Busy } from "../ui/Notice";
 import { Popover } from "../ui/Popover";
 import { openPreset } from "../workbench/opening";
 import { bench } from "../workbench/workbench";
+import { PresetPicture } from "./PresetPicture";
 
 /** The actuators of the source papers, as starting points. */
 export function PresetMenu() {
@@ -66,8 +67,13 @@ function PresetButton({ preset, current, onChoose }: { preset: Preset; current: 
       data-testid={`preset-${preset.name}`}
       onClick={onChoose}
     >
-      <span className="menu-title">{preset.title}</span>
-      <span className="muted">{preset.description}</span>
+      <PresetPicture preset={preset} />
+      <span className="preset-words">
+        <span className="menu-title">{preset.title}</span>
+        <span className="muted" title={preset.description}>
+          {preset.description}
+        </span>
+      </span>
     </button>
   );
 }

@@ -1,16 +1,27 @@
 /** Files of the design on the bench: a saved version's own files, or made from the parameters. */
 import { api, messageOf, take } from "../api/client";
+import type { FileKind } from "../api/types";
 import { showToast } from "../ui/toasts";
+import { sceneOf } from "../workbench/loads";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 
-export type Download = "mould-svg" | "actuator-stl";
+/** Files that need nothing but the design and its loads; the others belong to a stored result. */
+const MADE = ["mould-svg", "actuator-stl", "inp"] as const;
 
-function hand(url: string, name: string): void {
+type Made = (typeof MADE)[number];
+
+function isMade(what: FileKind): what is Made {
+  return MADE.some((each) => each === what);
+}
+
+function hand(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
   const anchor = document.createElement("a");
   anchor.href = url;
   anchor.download = name;
   anchor.click();
+  window.setTimeout(() => URL.revokeObjectURL(url), 30_000);
 }
 
 function nameFrom(response: Response, fallback: string): string {
@@ -20,29 +31,24 @@ function nameFrom(response: Response, fallback: string): string {
   return /filename="?([^";]+)"?/i.exec(header)?.[1] ?? fallback;
 }
 
-export async function download(what: Download): Promise<void> {
+function ask(what: FileKind) {
   const snapshot = bench.get()?.present;
-  if (!snapshot) return;
+  if (!snapshot) throw new Error("Nothing is open.");
   const { origin, work } = snapshot;
+  if (origin.kind === "version" && !isChanged(snapshot)) {
+    const path = { version_id: origin.versionId, what };
+    return api.GET("/api/versions/{version_id}/files/{what}", { params: { path }, parseAs: "blob" });
+  }
+  if (!isMade(what)) throw new Error("Save and run 3D FE first.");
+  const body = { design: work.design, scene: sceneOf(work.loads, "auto"), what, name: work.name };
+  return api.POST("/api/export", { body, parseAs: "blob" });
+}
+
+export async function download(what: FileKind): Promise<void> {
   try {
-    if (origin.kind === "version" && !isChanged(snapshot)) {
-      const files = await take(
-        api.GET("/api/versions/{version_id}/files", { params: { path: { version_id: origin.versionId } } }),
-      );
-      const file = files.find((each) => each.what === what);
-      if (file?.available) hand(file.url, file.file_name);
-      else showToast({ tone: "bad", text: file?.reason ?? "This version does not have that file." });
-      return;
-    }
-    const pending = api.POST("/api/export", {
-      body: { design: work.design, what, name: work.name },
-      parseAs: "blob",
-    });
-    const blob = await take(pending);
-    const { response } = await pending;
-    const url = URL.createObjectURL(blob);
-    hand(url, nameFrom(response, what));
-    window.setTimeout(() => URL.revokeObjectURL(url), 30_000);
+    const pending = ask(what);
+    const blob = await take<Blob>(pending);
+    hand(blob, nameFrom((await pending).response, what));
   } catch (error) {
     showToast({ tone: "bad", text: messageOf(error) });
   }

@@ -19,6 +19,7 @@ const COLOURS: readonly { value: Colour; label: string; title: string }[] = [
   { value: "displacement", label: "Displacement", title: "Length of the displacement" },
   { value: "stretch", label: "Stretch", title: "Largest principal stretch" },
   { value: "stress", label: "Stress", title: "Largest principal Cauchy stress" },
+  { value: "contact", label: "Contact", title: "Pressure where surfaces touch" },
   { value: "none", label: "Plain", title: "Colours of the materials" },
 ];
 
@@ -52,6 +53,10 @@ function Toolbar() {
   const settings = useStore(viewerSettings);
   const fe = useShownFe();
   const source = useSource();
+  // Only a result in which something can touch has contact pressures.
+  const touching = usePick(view, (state) => state.content?.colours.includes("contact") ?? false);
+  const wanted = colourFor(settings.colour, source);
+  const colour = wanted === "contact" && !touching ? "displacement" : wanted;
   return (
     <div className="viewer-toolbar">
       <Segmented
@@ -81,8 +86,8 @@ function Toolbar() {
       </label>
       <Segmented
         label="Colour by"
-        value={colourFor(settings.colour, source)}
-        options={COLOURS.map((each) => {
+        value={colour}
+        options={COLOURS.filter((each) => each.value !== "contact" || touching).map((each) => {
           const missing = colourFor(each.value, source) !== each.value;
           return missing
             ? { ...each, disabled: true, title: `${each.title}: only a finite-element result has it` }

@@ -31,5 +31,5 @@ export function setViewer(change: Partial<ViewerSettings>): void {
 
 /** Fields on the surface come from finite elements only; the instant answer has displacements. */
 export function colourFor(colour: Colour, source: ViewerSettings["source"]): Colour {
-  return source === "instant" && (colour === "stretch" || colour === "stress") ? "displacement" : colour;
+  return source === "instant" && colour !== "none" ? "displacement" : colour;
 }

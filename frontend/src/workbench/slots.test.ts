@@ -31,4 +31,13 @@ describe("slots", () => {
     localStorage.setItem("pneustudio.work.2:v1", '{"present":{"work":{},"baseline":{}}}');
     expect(readSlot("v1")).toBeNull();
   });
+
+  it("bring over what an earlier page kept: a pressure, and gravity or none", () => {
+    const earlier = { name: "Finger", design: { family: "slab" }, pressureTo: 12, gravity: false };
+    const snapshot = { work: earlier, baseline: { ...earlier, gravity: true }, origin: opened.present.origin };
+    localStorage.setItem("pneustudio.work.2:v1", JSON.stringify({ present: snapshot, past: [], future: [], gesture: null }));
+    const { work: now, baseline } = readSlot("v1")?.present ?? opened.present;
+    expect(now.loads).toEqual({ ...pressureLoads(12), gravity: null });
+    expect(baseline.loads).toEqual(pressureLoads(12));
+  });
 });
