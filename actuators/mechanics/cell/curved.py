@@ -36,8 +36,18 @@ VALUES, SLOPES, MODES, WEIGHTS = _tables()
 def gradients(position: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """dN_a/dx_i at the Gauss points (n, 27, 3, 27) [1/m] and their volumes (n, 27) [m3] of
     elements with nodes at ``position`` (n, 27, 3) [m]."""
-    jacobian = np.einsum("gpa,nai->ngpi", SLOPES, position)  # dx_i/dxi_p
+    jacobian = _jacobian(position)
     return np.linalg.inv(jacobian) @ SLOPES, np.linalg.det(jacobian) * WEIGHTS
+
+
+def volumes(position: np.ndarray) -> np.ndarray:
+    """Volumes (n, 27) of the Gauss points [m3]."""
+    return np.linalg.det(_jacobian(position)) * WEIGHTS
+
+
+def _jacobian(position: np.ndarray) -> np.ndarray:
+    """dx_i/dxi_p at the Gauss points (n, 27, p, i)."""
+    return (SLOPES.reshape(-1, NODES) @ position).reshape(-1, POINTS, 3, 3)
 
 
 def divergence(position: np.ndarray) -> np.ndarray:

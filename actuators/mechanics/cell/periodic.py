@@ -212,7 +212,7 @@ def box_moments(body: Body) -> np.ndarray:
         return np.einsum("x,y,zm->xyzm", dx, dy, power)
     fine = divide(x, [[1 / CURVED_PARTS] * CURVED_PARTS] * (len(x) - 1))
     position = curved_nodes(body, [fine, y, z], np.zeros(3))
-    _, volume = curved.gradients(position)
+    volume = curved.volumes(position)
     height = np.einsum("ga,na->ng", curved.VALUES, position[..., 2])
     moments = np.stack([volume.sum(axis=1), (volume * height).sum(axis=1)], axis=-1)
     shape = (len(x) - 1, CURVED_PARTS, len(y) - 1, len(z) - 1, 2)
