@@ -94,6 +94,8 @@ def _by_volume(
         near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail, sign)
         if near:
             path.outcome, path.limit = Outcome.LIMIT_POINT, walk.trail[-1]
+            if not visited or visited[-1] is not walk.trail[-1]:
+                visited.append(walk.trail[-1])  # also where only some pressures are reported
         return near
 
     for _ in range(MOST_STEPS):
