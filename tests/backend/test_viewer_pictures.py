@@ -21,7 +21,8 @@ from storage.response_arrays import pack
 from tests.backend.conftest import SLAB
 
 BOX = trimesh.creation.box((2.0, 3.0, 4.0))
-PRESETS = ["slab-rectangle-low", "slab-ellipse-high", "oblique-15", "oblique-45", "oblique-90"]
+PRESETS = ["slab-rectangle-low", "slab-ellipse-high", "oblique-15", "oblique-45", "oblique-90",
+           "printed-14", "bellows-9-1.6"]  # fmt: skip
 
 
 def no_stamp(_: str) -> None:
