@@ -35,6 +35,8 @@ describe("relevance", () => {
     expect(isRelevant("tip_width", { family: "slab", planform: "triangle" })).toBe(true);
     expect(isRelevant("side_radius", { family: "slab", planform: "ellipse" })).toBe(true);
     expect(isRelevant("theta", { family: "oblique" })).toBe(true);
+    expect(isRelevant("layer_height", { family: "printed", layer: "inextensible" })).toBe(true);
+    expect(isRelevant("layer_height", { family: "printed", layer: "none" })).toBe(false);
   });
 });
 
