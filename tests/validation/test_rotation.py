@@ -1,4 +1,4 @@
-"""Nothing depends on where a body points: a state turned by 90 degrees, and an actuator so built."""
+"""Nothing depends on where a body points: a state turned by 90 degrees, an actuator so built."""
 
 import dataclasses
 
