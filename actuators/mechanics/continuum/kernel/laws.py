@@ -172,30 +172,33 @@ def add_ogden_law(
     axes = np.empty((3, 3))
     square = np.empty(3)
     symmetric_eigen(cauchy_green, square, axes)
-    log = 0.5 * np.log(square)
+    log = np.empty(3)
+    for i in range(3):
+        log[i] = 0.5 * np.log(square[i])
     mean = (log[0] + log[1] + log[2]) / 3.0
     # beta_i = dW/dlog(l_i); db = its derivative; over = (beta_i - beta_j)/(l_i^2 - l_j^2)
-    beta = np.zeros(3)
-    db = np.zeros((3, 3))
-    over = np.zeros((3, 3))
+    beta, e = np.zeros(3), np.empty(3)
+    db, over = np.zeros((3, 3)), np.zeros((3, 3))
     for t in range(0, count, 2):
         m, alpha = c[t], c[t + 1]
-        e0 = np.expm1(alpha * (log[0] - mean))
-        e1 = np.expm1(alpha * (log[1] - mean))
-        e2 = np.expm1(alpha * (log[2] - mean))
-        e = (e0, e1, e2)
-        total = e0 + e1 + e2
+        for i in range(3):
+            e[i] = np.expm1(alpha * (log[i] - mean))
+        total = e[0] + e[1] + e[2]
         for i in range(3):
             beta[i] += m * (e[i] - total / 3.0)
+        if not want_tangent:
+            continue
+        for i in range(3):
             for j in range(3):
                 own = 1.0 + e[i] if i == j else 0.0
                 db[i, j] += m * alpha * (own - (2.0 + e[i] + e[j]) / 3.0 + (3.0 + total) / 9.0)
-                if i != j:
-                    gap = log[i] - log[j]
-                    ratio = alpha / 2.0
-                    if abs(gap) > 1e-12:
-                        ratio = np.expm1(alpha * gap) / np.expm1(2.0 * gap)
-                    over[i, j] += m * (1.0 + e[j]) / square[j] * ratio
+            for j in range(i):
+                gap = log[i] - log[j]
+                ratio = alpha / 2.0
+                if abs(gap) > 1e-12:
+                    ratio = np.expm1(alpha * gap) / np.expm1(2.0 * gap)
+                over[i, j] += m * (1.0 + e[j]) / square[j] * ratio
+                over[j, i] = over[i, j]
     n = np.empty((3, 3))  # n[:, i] = F N_i
     for i in range(3):
         for r in range(3):
