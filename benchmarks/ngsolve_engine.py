@@ -57,6 +57,7 @@ class NgsolveProblem:
 
         self._ns = ns
         self.mesh = convert(mesh)
+        self._names = [region.name for region in mesh.regions]
         displacement = ns.VectorH1(self.mesh, order=2, dirichlet="clamp", dirichlety="symmetry")
         constant = ns.L2(self.mesh, order=0)
         self.space = displacement * constant * constant * constant * constant
@@ -77,9 +78,12 @@ class NgsolveProblem:
             1.0, *((x - c) * 1e3 for x, c in zip((ns.x, ns.y, ns.z), centre, strict=True))
         ]  # fmt: skip
         q = sum(n * part for n, part in zip(local, parts, strict=True))
-        mu = self.mesh.MaterialCF(_by_name(materials, "shear_modulus"))
-        kappa = self.mesh.MaterialCF(_by_name(materials, "bulk_modulus"))
-        density = self.mesh.MaterialCF(_by_name(materials, "density"))
+        mu, kappa, density = (
+            self.mesh.MaterialCF(
+                {name: getattr(m, of) for name, m in zip(self._names, materials, strict=True)}
+            )
+            for of in ("shear_modulus", "bulk_modulus", "density")
+        )
         f = ns.Id(3) + ns.Grad(u)
         j = ns.Det(f)
         energy = (
@@ -123,6 +127,8 @@ class NgsolveProblem:
             self.solution.vec.data -= step
             moved = self.solution.components[0].vec.CreateVector()
             moved.data = step[: len(moved)]
+            if not np.isfinite(moved.FV().NumPy()).all():
+                break
             if max(abs(moved.FV().NumPy())) < tolerance * 0.08:
                 return iteration
         raise RuntimeError("NGSolve's Newton iteration did not converge")
@@ -135,10 +141,3 @@ class NgsolveProblem:
     def unknowns(self) -> int:
         """Free unknowns, pressures and inner nodes included."""
         return sum(self.space.FreeDofs())
-
-
-def _by_name(materials: Sequence[Material], attribute: str) -> dict[str, float]:
-    return {
-        name: getattr(material, attribute)
-        for name, material in zip(("bottom layer", "top layer"), materials, strict=True)
-    }
