@@ -1,17 +1,22 @@
 """A running studio and a page in the browser."""
 
 import os
+import re
 import signal
 from collections.abc import Generator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from tests.running_studio import ROOT, Run
 from tests.worker.processes import processes_of
 
 PICTURES = ROOT / "test-artifacts"
+PATIENCE_MS = 30_000
+"""A busy machine takes its time for the first answer."""
+
+expect.set_options(timeout=PATIENCE_MS)
 
 
 @pytest.fixture
@@ -29,7 +34,7 @@ def studio(tmp_path: Path) -> Generator[Run]:
 def page(browser: Browser) -> Generator[Page]:
     context = browser.new_context(viewport={"width": 1440, "height": 900}, accept_downloads=True)
     page = context.new_page()
-    page.set_default_timeout(30_000)
+    page.set_default_timeout(PATIENCE_MS)
     yield page
     context.close()
 
@@ -38,3 +43,26 @@ def picture(page: Page, name: str) -> None:
     """Keep a screenshot where people look for it."""
     PICTURES.mkdir(exist_ok=True)
     page.screenshot(path=PICTURES / f"{name}.png")
+
+
+def number(page: Page, name: str) -> float:
+    """What the table of numbers shows."""
+    text = page.get_by_test_id(f"number-{name}").inner_text()
+    found = re.search(r"-?\d+(\.\d+)?", text.replace("\u2212", "-"))
+    assert found, f"{name} shows {text!r}"
+    return float(found[0])
+
+
+def set_number(page: Page, parameter: str, value: str) -> None:
+    """Type into a parameter's field."""
+    field = page.get_by_test_id(f"parameter-{parameter}").locator("input:not([type=range])")
+    field.fill(value)
+    field.press("Enter")
+
+
+def downloaded(page: Page, what: str) -> bytes:
+    """A file of the menu of files."""
+    page.get_by_test_id("open-downloads").click()
+    with page.expect_download() as waiting:
+        page.get_by_test_id(f"download-{what}").click()
+    return Path(waiting.value.path()).read_bytes()

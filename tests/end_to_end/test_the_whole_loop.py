@@ -6,37 +6,16 @@ import re
 import signal
 import xml.etree.ElementTree as ElementTree
 import zipfile
-from pathlib import Path
 
 import pytest
 import trimesh
 from playwright.sync_api import ConsoleMessage, Page, expect
 
-from tests.end_to_end.conftest import picture
+from tests.end_to_end.conftest import downloaded, number, picture, set_number
 from tests.running_studio import Run
 from tests.worker.processes import processes_of
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
-
-
-def number(page: Page, name: str) -> float:
-    text = page.get_by_test_id(f"number-{name}").inner_text()
-    found = re.search(r"-?\d+(\.\d+)?", text.replace("\u2212", "-"))
-    assert found, f"{name} shows {text!r}"
-    return float(found[0])
-
-
-def set_number(page: Page, parameter: str, value: str) -> None:
-    field = page.get_by_test_id(f"parameter-{parameter}").locator("input:not([type=range])")
-    field.fill(value)
-    field.press("Enter")
-
-
-def downloaded(page: Page, what: str) -> bytes:
-    page.get_by_test_id("open-downloads").click()
-    with page.expect_download() as waiting:
-        page.get_by_test_id(f"download-{what}").click()
-    return Path(waiting.value.path()).read_bytes()
 
 
 def test_edit_predict_solve_keep_look_and_cut(studio: Run, page: Page) -> None:

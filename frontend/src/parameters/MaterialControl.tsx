@@ -10,6 +10,7 @@ const MODELS: Record<string, string> = {
   "neo-hooke": "Neo-Hooke",
   yeoh: "Yeoh",
   ogden: "Ogden",
+  "mooney-rivlin": "Mooney-Rivlin",
 };
 
 export function materialSummary(material: Material): string {

@@ -10,7 +10,7 @@ const HEIGHT = 30;
 /** The view that fills the picture better: a flat body's planform, a tall one's section. */
 function tellingView({ views }: Drawing): DrawingView {
   const share = ({ bounds: [left = 0, bottom = 0, right = 1, top = 1] }: DrawingView) => (top - bottom) / (right - left);
-  return share(views.section) * 1.2 >= share(views.planform) ? views.section : views.planform;
+  return share(views.section) >= share(views.planform) * 1.15 ? views.section : views.planform;
 }
 
 /** A preset's own drawing, small. */

@@ -1,0 +1,59 @@
+"""A designer puts a plate under an actuator and reads the force, in a real browser."""
+
+import io
+import re
+import zipfile
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.end_to_end.conftest import downloaded, number, picture, set_number
+from tests.running_studio import Run
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+
+
+def test_add_a_plate_solve_and_see_its_force(studio: Run, page: Page) -> None:
+    page.goto(studio.address())
+    expect(page.get_by_test_id("number-bending_angle")).to_contain_text(re.compile(r"\d"))
+    page.get_by_test_id("choice-gravity").select_option("none")
+    set_number(page, "pressure", "5")
+
+    # A plate: the instant answer says that it is without it, nonsense is refused at its field.
+    page.get_by_test_id("add-load").click()
+    page.get_by_test_id("add-plate").click()
+    expect(page.get_by_test_id("left-out")).to_contain_text("without plate")
+    set_number(page, "plate.gap", "-1")
+    expect(page.get_by_test_id("problem-plate.gap")).to_contain_text("between 0 and")
+    expect(page.get_by_test_id("run-fe")).to_be_disabled()
+    page.get_by_test_id("undo").click()
+    expect(page.get_by_test_id("problem-plate.gap")).to_have_count(0)
+    set_number(page, "plate.gap", "1")
+
+    # Solved on the coarsest mesh, which the accuracy then has no say in.
+    page.get_by_test_id("mesh").select_option("coarse")
+    page.get_by_test_id("run-fe").click()
+    job = page.locator("[data-testid^=job-]").first
+    expect(job).to_have_attribute("data-state", "done", timeout=300_000)
+    expect(job).to_contain_text("coarse mesh")
+    expect(page.get_by_test_id("number-fe-plate_force")).to_contain_text(re.compile(r"\d"))
+    assert number(page, "fe-plate_force") > 0
+    # what stands on a plate bends less than what is free
+    assert number(page, "fe-bending_angle") < number(page, "bending_angle")
+    expect(page.get_by_test_id("chart-force")).to_be_visible()
+    page.get_by_test_id("viewer-source").get_by_text("FE").click()
+    page.get_by_test_id("viewer-colour").get_by_text("Contact").click()
+    expect(page.get_by_test_id("viewer-legend")).to_contain_text("Contact pressure")
+    page.wait_for_timeout(4000)
+    picture(page, "6-plate")
+
+    # A fork has the answer of its origin at once.
+    page.get_by_test_id("open-history").click()
+    page.locator("[data-testid^=fork-]").click()
+    expect(page.get_by_test_id("design-name")).to_have_value(re.compile("fork of v1"))
+    expect(page.get_by_test_id("number-fe-plate_force")).to_contain_text(re.compile(r"\d"))
+    assert page.locator("[data-testid^=job-]").count() == 1
+
+    fields = zipfile.ZipFile(io.BytesIO(downloaded(page, "result-vtu")))
+    assert "answer.pvd" in fields.namelist()
+    assert b"contact_pressure_kPa" in fields.read("answer-001.vtu")
