@@ -6,8 +6,8 @@ simplified correction shrinks well it is added, and the old tangent is used agai
 residual costs a tenth of a factorisation.
 
 A few full steps that bring surfaces into contact, or apart, are taken although the correction
-grows: the old tangent knew nothing of them, the next one does. Where that comes to nothing, the
-surfaces are made softer first, and then harder again from state to state.
+grows: the old tangent knew nothing of them, the next one does. Where a start has surfaces deep in
+each other, or that comes to nothing, they are made softer first and harder from state to state.
 
 Either the cavity pressure is given, or it is one more unknown and something else is: the cavity's
 volume, which passes a pressure's limit points, or a plane across the path, which passes those of
@@ -34,9 +34,11 @@ turns, it is the safer rule."""
 NEGLIGIBLE = 1e-3
 MOST_CONTACT_CHANGES = 4
 """Steps taken because contact changed; they do not count as iterations."""
-SOFTNESS = (30.0, 6.0, 1.0)
-"""How much softer than they are the surfaces are made, one after the other, where Newton's method
-fails with them as they are."""
+SOFTEST, HARDENING = 16.0, 3.0
+"""How much softer than they are surfaces are made where Newton's method fails with them as they
+are, and how much harder from one state to the next."""
+ROUGH = 30.0
+"""Tolerance of a state with soft surfaces over that of the answer."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,28 +95,29 @@ def solve_equilibrium(
     """Equilibrium near ``start``. ``tolerance``: largest displacement correction over the body's
     size."""
 
-    def attempt(start: State, target: Target) -> Equilibrium | Failure:
-        return _newton(
-            system, solver, start, target, tolerance, most_iterations, lenience, cancelled
-        )
+    def attempt(softest: float) -> Equilibrium | Failure:
+        state, goal, spent = start, target, 0
+        try:
+            while True:
+                system.soften(softest)
+                found = _newton(
+                    system, solver, state, goal, tolerance if softest == 1.0 else ROUGH * tolerance,
+                    most_iterations, lenience, cancelled,
+                )  # fmt: skip
+                spent += found.iterations
+                if isinstance(found, Failure) or softest == 1.0:
+                    return replace(found, iterations=spent)
+                state, goal = found.state, replace(target, pressure=found.pressure)
+                softest = softest / HARDENING if softest > 1.2 * HARDENING else 1.0
+        finally:
+            system.soften(1.0)
 
-    found = attempt(start, target)
-    if isinstance(found, Equilibrium) or not found.in_contact:
-        return found
-    spent = found.iterations
-    try:
-        for softness in SOFTNESS:
-            system.soften(softness)
-            found = attempt(start, target)
-            spent += found.iterations
-            if isinstance(found, Failure):
-                break
-            start = found.state
-            if target.volume is not None or target.plane is not None:
-                target = replace(target, pressure=found.pressure)
-    finally:
-        system.soften(1.0)
-    return replace(found, iterations=spent)
+    softest = system.overlap(start)
+    found = attempt(min(softest, SOFTEST) if softest > HARDENING else 1.0)
+    if isinstance(found, Failure) and found.in_contact and softest < SOFTEST:
+        again = attempt(SOFTEST)
+        return replace(again, iterations=found.iterations + again.iterations)
+    return found
 
 
 def _newton(
@@ -156,11 +159,11 @@ def _newton(
             if balance.admissible:
                 again, dp_again = border.correction(trial, balance)
                 rest = _length(system, again)
-                slack = lenience if factor == 1.0 else 1 - factor / 4
+                changed = balance.touches != touches
+                slack = (MONOTONE if changed else lenience) if factor == 1.0 else 1 - factor / 4
                 if rest <= slack * length or rest <= NEGLIGIBLE * tolerance * size:
                     break
-                changed = factor == 1.0 and balance.touches != touches
-                if changed and changes < MOST_CONTACT_CHANGES:
+                if changed and factor == 1.0 and changes < MOST_CONTACT_CHANGES:
                     changes += 1
                     break
             factor /= 2

@@ -126,6 +126,14 @@ class ContinuumSystem:
         for interaction in self.interactions:
             interaction.soften(factor)
 
+    def overlap(self, state: State) -> float:
+        """Deepest penetration of surfaces over the distance in which contact sets in; 0 where
+        nothing touches."""
+        if not self.interactions:
+            return 0.0
+        positions = self.mesh.nodes + state.displacement
+        return max(interaction.overlap(positions) for interaction in self.interactions)
+
     def factorize(self, solver: SymmetricSolver) -> None:
         """Factorise the tangent last filled; a pattern widened since is adopted first."""
         if solver.entries != len(self.indices):

@@ -40,6 +40,11 @@ class Interaction(Protocol):
         derivatives to ``tangent``."""
         ...
 
+    def overlap(self, positions: np.ndarray) -> float:
+        """Deepest penetration at ``positions`` over the distance in which contact sets in; 0 where
+        there is none."""
+        ...
+
     def soften(self, factor: float) -> None:
         """Press this much less for a given penetration, and from this much farther off; 1 is the
         contact as it is."""

@@ -76,6 +76,10 @@ class SelfContact:
         """Largest contact pressure at a Gauss point [Pa], per undeformed area."""
         return float(law_pressure(self.gaps(positions), self._law).max())
 
+    def overlap(self, positions: np.ndarray) -> float:
+        """See :class:`Interaction`."""
+        return max(0.0, -float(self.gaps(positions).min()) / self._hard.onset)
+
     def soften(self, factor: float) -> None:
         """See :class:`Interaction`."""
         self._law = self._hard.softened(factor)

@@ -10,7 +10,7 @@ from actuators.mechanics.continuum.kernel.contact import face_areas
 from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
 from actuators.meshing import HexMesh
 
-TOLERANCE = 1e-4
+TOLERANCE = 2e-4
 """Penetration [body sizes] at a contact pressure equal to the largest shear modulus."""
 ONSET = 0.5 * TOLERANCE
 """Distance [body sizes] at which contact pressure begins."""
