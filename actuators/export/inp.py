@@ -85,18 +85,18 @@ def _refuse(mesh: HexMesh, scene: Scene, element: str) -> None:
             field="element", value=element, mend=f"Use one of {', '.join(ELEMENTS)}.",
         )  # fmt: skip
     held = {
-        "volume_ml": scene.volume_to is not None,
-        "plate": scene.plate is not None,
-        "cylinder": scene.cylinder is not None,
-        "self_contact": scene.self_contact == "on",
-        "membrane": len(mesh.membrane_faces) > 0,
+        "volume_ml": (scene.volume_to is not None, "Prescribe a pressure instead"),
+        "plate": (scene.plate is not None, "Leave the plate out"),
+        "cylinder": (scene.cylinder is not None, "Leave the cylinder out"),
+        "self_contact": (scene.self_contact == "on", "Set self_contact to auto or off"),
+        "layer": (len(mesh.membrane_faces) > 0, "Set layer=none"),
     }
-    for field, present in held.items():
+    for field, (present, mend) in held.items():
         if present:
             raise QuestionError(
                 f"what is inp, but a deck of this version cannot carry {field}: it holds pressure, "
-                "gravity, outside pressure and a tip force. Leave it out, or export vtu.",
-                field=field, value="inp", mend=f"Leave {field} out, or export vtu.",
+                f"gravity, outside pressure and a tip force. {mend}, or export vtu.",
+                field=field, value="inp", mend=f"{mend}, or export vtu.",
             )  # fmt: skip
 
 

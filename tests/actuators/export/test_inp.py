@@ -117,8 +117,9 @@ def sections(text: str) -> dict[str, list[str]]:
 
 
 @pytest.mark.parametrize("element", ELEMENTS)
-def test_elements_are_right_handed_and_use_given_nodes_only(element: str) -> None:
-    design = preset("oblique-45").design
+@pytest.mark.parametrize("name", ["slab-ellipse-low", "oblique-45", "bellows-9-1.6"])
+def test_elements_are_right_handed_and_use_given_nodes_only(name: str, element: str) -> None:
+    design = preset(name).design
     files = write(design, "inp", ModelQuestion(Scene(10e3), "coarse", element))
     found = sections(files["model.inp"].decode())
     nodes = {int(n): np.array([x, y, z], dtype=float) for n, x, y, z in
@@ -182,5 +183,7 @@ def test_what_a_deck_cannot_carry_is_refused() -> None:
         with pytest.raises(QuestionError) as caught:
             write(design, "inp", question)
         assert caught.value.field == field
+    with pytest.raises(QuestionError, match="layer=none"):
+        write(preset("printed-14").design, "inp", ModelQuestion(Scene(10e3)))
     with pytest.raises(QuestionError, match="made for one scene"):
         write(design, "inp")
