@@ -99,13 +99,21 @@ def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
 
 
 def range_notes(materials: Sequence[Material], largest: Sequence[float]) -> list[str]:
-    """Notes on materials stretched beyond what their source tested."""
-    return [
+    """Notes on materials stretched beyond what their source tested, or what is stable."""
+    tested = [
         f"{material.name} is stretched to {stretch:.2f}, beyond the tested range "
         f"(up to {material.tested_to_stretch:g})."
         for material, stretch in zip(materials, largest, strict=True)
         if material.tested_to_stretch is not None and stretch > material.tested_to_stretch
     ]
+    notes = [
+        f"{material.name} is stretched to {stretch:.2f}; by Drucker's criterion its law is stable "
+        f"in {material.stable_range.smallest[0]} tension up to "
+        f"{material.stable_range.smallest[1]:.2f} only."
+        for material, stretch in zip(materials, largest, strict=True)
+        if stretch > material.stable_range.smallest[1]
+    ]
+    return list(dict.fromkeys(tested + notes))
 
 
 def effects(

@@ -1,0 +1,23 @@
+"""Notes on stretches that a material's record does not vouch for."""
+
+from actuators.materials import material
+from actuators.mechanics.continuum.findings import range_notes
+
+
+def test_leaving_the_stable_range_is_said_once() -> None:
+    rubber = material("ninjaflex-mooney-rivlin-5")
+    assert range_notes([rubber, rubber], [1.3, 1.4]) == []
+    notes = range_notes([rubber, rubber], [1.6, 1.6])
+    assert len(notes) == 1
+    assert "stretched to 1.60" in notes[0]
+    assert "equibiaxial tension up to 1.48" in notes[0]
+
+
+def test_leaving_the_tested_range_comes_before_the_stable_one() -> None:
+    notes = range_notes([material("ecoflex-00-30")], [6.5])
+    assert ["tested range" in note for note in notes] == [True, False]
+    assert range_notes([material("ecoflex-00-30")], [3.9]) == []
+
+
+def test_a_law_that_is_stable_everywhere_says_nothing() -> None:
+    assert range_notes([material("ecoflex-00-30-neo-hooke")], [9.0]) == []
