@@ -40,3 +40,15 @@ def test_oblique_90_bends_as_the_notes_computed() -> None:
     turn = [math.atan2(-f[2, 0], f[0, 0]) for f in line.frames[1][inner]]
     curvature = (turn[-1] - turn[0]) / (x[inner][-1] - x[inner][0])
     assert curvature / 0.5 == pytest.approx(1.90, rel=0.05)
+
+
+@pytest.mark.slow
+def test_limit_is_answered_whether_pressures_are_prescribed_or_not() -> None:
+    """Between two prescribed pressures the path ends at its limit, not at the stop before it."""
+    design = preset("slab-rectangle-low").design.changed(top_material="ecoflex-00-50")
+    free, prescribed = (
+        solve(design, Scene(pressure_to=40e3, steps=steps), accuracy=0.1) for steps in (None, 20)
+    )
+    assert prescribed.outcome is Outcome.LIMIT_POINT
+    assert prescribed.path[-1].pressure == pytest.approx(free.path[-1].pressure, rel=1e-3)
+    assert prescribed.path[-1].pressure > 1.01 * prescribed.path[-2].pressure
