@@ -28,12 +28,12 @@ class FelupeProblem:
         self.mesh = fe.Mesh(mesh.nodes, cells, "hexahedron27")
         region = fe.RegionTriQuadraticHexahedron(self.mesh)
         self.field = fe.FieldsMixed(region, n=3)
-        mu, kappa, density = (
-            np.array([getattr(m, of) for m in materials])[mesh.region]
-            for of in ("shear_modulus", "bulk_modulus", "density")
-        )
-        law = fe.NearlyIncompressible(fe.NeoHooke(mu=mu), bulk=kappa)
-        self._solid = fe.SolidBody(law, self.field)
+        laws = [
+            fe.NearlyIncompressible(fe.NeoHooke(mu=m.shear_modulus), bulk=m.bulk_modulus)
+            for m in materials
+        ]
+        self._solid = fe.SolidBody(_ByRegion(laws, mesh.region), self.field)
+        density = np.array([m.density for m in materials])[mesh.region]
         cavity = np.zeros(len(mesh.nodes), dtype=bool)
         cavity[mesh.cavity_faces.nodes] = True
         faces = fe.RegionTriQuadraticHexahedronBoundary(self.mesh, mask=np.flatnonzero(cavity))
@@ -92,6 +92,40 @@ class FelupeProblem:
     def unknowns(self) -> int:
         """Free unknowns, fields inside elements included."""
         return len(self._held[1])
+
+
+class _ByRegion:
+    """One law per region behind one door: FElupe's laws take numbers, not arrays over cells."""
+
+    def __init__(self, laws: Sequence[Any], region: np.ndarray) -> None:
+        self._laws, self._cells = laws, [np.flatnonzero(region == k) for k in range(len(laws))]
+        self._count = len(region)
+        self.x = laws[0].x
+
+    def gradient(self, x: list[Any], **_: Any) -> list[Any]:
+        return self._each("gradient", x)
+
+    def hessian(self, x: list[Any], **_: Any) -> list[Any]:
+        return self._each("hessian", x)
+
+    def _each(self, what: str, x: list[Any]) -> list[Any]:
+        parts = [
+            getattr(law, what)([self._of(a, cells) for a in x])
+            for law, cells in zip(self._laws, self._cells, strict=True)
+        ]
+        return [self._joined(values) for values in zip(*parts, strict=True)]
+
+    def _of(self, a: Any, cells: np.ndarray) -> Any:
+        over_cells = isinstance(a, np.ndarray) and a.ndim > 0 and a.shape[-1] == self._count
+        return np.ascontiguousarray(a[..., cells]) if over_cells else a
+
+    def _joined(self, values: Sequence[Any]) -> Any:
+        if not isinstance(values[0], np.ndarray):
+            return values[0]
+        out = np.empty((*values[0].shape[:-1], self._count))
+        for value, cells in zip(values, self._cells, strict=True):
+            out[..., cells] = value
+        return out
 
 
 def _mask(nodes: np.ndarray, mesh: HexMesh) -> np.ndarray:
