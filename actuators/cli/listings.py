@@ -32,7 +32,7 @@ def presets(*, as_json: bool) -> None:
 @click.command()
 @json_option
 def materials(*, as_json: bool) -> None:
-    """List the rubbers that a design can name."""
+    """List the rubbers that a design can name. KEY@incompressible takes one exactly incompressible."""
     from actuators.materials import CATALOGUE
 
     if as_json:
