@@ -32,7 +32,10 @@ def presets(*, as_json: bool) -> None:
 @click.command()
 @json_option
 def materials(*, as_json: bool) -> None:
-    """List the rubbers that a design can name. KEY@incompressible takes one exactly incompressible."""
+    """List the rubbers that a design can name.
+
+    KEY@incompressible names the same rubber, exactly incompressible.
+    """
     from actuators.materials import CATALOGUE
 
     if as_json:
