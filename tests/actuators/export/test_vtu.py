@@ -15,7 +15,7 @@ from actuators.export import ModelQuestion, write
 from actuators.export.vtu import NODE_ORDER, surface_series
 from actuators.mechanics.continuum.volume_fields import VolumeFields
 from actuators.mechanics.response import SurfaceFields
-from actuators.mechanics.scene import Scene
+from actuators.mechanics.scene import Plate, Scene
 
 # where VTK's vtkTriQuadraticHexahedron has its nodes, as VTK 9 prints them
 VTK_NODES = np.array(
@@ -88,6 +88,22 @@ def test_fields_are_those_of_the_answer(files: dict[str, bytes], last: Any) -> N
     )
     inside = np.median(np.prod(stretches, axis=1))
     assert inside == pytest.approx(1.0, abs=2e-3), "nearly incompressible"
+
+
+def test_contact_pressure_is_where_the_body_presses(tmp_path: Path) -> None:
+    scene = Scene(6e3, steps=1, gravity=None, plate=Plate(5e-3, (0.0, 0.0, 1.0)))
+    made = write(preset("slab-rectangle-low").design, "vtu", ModelQuestion(scene, mesh="coarse"))
+    document = json.loads(made["answer.json"])
+    assert document["path"][-1]["plate_force_N"] > 0
+    free, pressed = (name for name in sorted(made) if name.endswith(".vtu"))
+    for name in (free, pressed):
+        (tmp_path / name).write_bytes(made[name])
+    assert meshio.read(tmp_path / free).point_data["contact_pressure_kPa"].max() == 0.0
+    mesh = meshio.read(tmp_path / pressed)
+    pressure = mesh.point_data["contact_pressure_kPa"]
+    height = (mesh.points + mesh.point_data["displacement_mm"])[:, 2]
+    assert pressure.max() > 0
+    assert height[pressure > 0].max() < -4.5, "on the plate, 5 mm below the underside"
 
 
 def test_a_stretched_bar_has_the_stress_of_the_closed_form() -> None:
