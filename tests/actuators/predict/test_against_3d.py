@@ -33,7 +33,9 @@ def test_eleven_slab_chambers_bend_inside_as_the_cell() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "tolerance"), [("oblique-90", 0.03), ("oblique-60", 0.05)])
+@pytest.mark.parametrize(("name", "tolerance"), [("oblique-90", 0.03), ("oblique-60", 0.05),
+                                                 ("printed-14", 0.03),
+                                                 ("bellows-11-2.0", 0.03)])  # fmt: skip
 def test_gapped_chambers_bend_inside_as_the_cell(name: str, tolerance: float) -> None:
     """At 60 degrees the 3D mesh, without a plane of symmetry, stops coarser: it bends 4 % more than
     its own refinement does."""
