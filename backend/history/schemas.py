@@ -24,10 +24,13 @@ class ResultSummary(Answer):
 
     job_id: str
     rung: str
+    accuracy: float = Field(description="Fraction: 0.05 is 5 %")
+    mesh: str | None = Field(description="The one mesh asked for; null: the accuracy decided")
     outcome: str
     pressure_kPa: float | None = Field(description="Last pressure of the path [kPa]")
     bending_angle_deg: float | None = Field(description="Bending angle there [deg]")
     tip_mm: list[float | None] | None = Field(description="Tip point there, X1 X2 X3 [mm]")
+    plate_force_N: float | None = Field(description="On a rigid plate there [N]")
     error_estimate_percent: float | None
     wall_s: float | None = Field(description="Time of the solve [s]")
 

@@ -94,7 +94,8 @@ def _result(store: Store, job: JobRow) -> ResultSummary:
     path = document.get("path") or [{}]
     last = path[-1]
     return ResultSummary(
-        job_id=job.id, rung=job.rung, outcome=job.outcome or "",
+        job_id=job.id, rung=job.rung, accuracy=job.accuracy, mesh=job.mesh,
+        outcome=job.outcome or "", plate_force_N=last.get("plate_force_N"),
         pressure_kPa=last.get("pressure_kPa"), bending_angle_deg=last.get("bending_angle_deg"),
         tip_mm=last.get("tip_mm"), error_estimate_percent=document.get("error_estimate_percent"),
         wall_s=document.get("wall_s"),

@@ -35,7 +35,7 @@ _SCALES: dict[Colour, _Scale] = {
     "displacement": _Scale("Displacement", "mm", 1e-3, "viridis"),
     "stretch": _Scale("Largest principal stretch", "", 1.0, "cividis"),
     "stress": _Scale("Largest principal stress", "kPa", 1e3, "inferno"),
-    "contact": _Scale("Contact pressure", "kPa", 1e3, "inferno"),
+    "contact": _Scale("Contact pressure", "kPa", 1e3, "viridis"),
 }
 
 

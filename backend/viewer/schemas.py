@@ -7,7 +7,7 @@ from pydantic import Field
 from backend.documents import Answer, Body, DesignDocument, SceneDocument
 
 Colour = Literal["displacement", "stretch", "stress", "contact", "none"]
-Camera = Literal["three-quarter", "side", "top", "front"]
+Camera = Literal["three-quarter", "side", "top", "below", "front"]
 
 
 class NewView(Body):

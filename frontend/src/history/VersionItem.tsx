@@ -5,7 +5,7 @@ import { api, messageOf, take } from "../api/client";
 import { keys, queryClient } from "../api/queries";
 import { usePick } from "../api/store";
 import type { ResultSummary, VersionSummary } from "../api/types";
-import { outcomeInWords } from "../results/words";
+import { meshOrAccuracy, outcomeInWords } from "../results/words";
 import { Button, IconButton } from "../ui/Button";
 import { InlineName } from "../ui/InlineName";
 import { formatMoment, formatQuantity } from "../ui/numbers";
@@ -115,8 +115,12 @@ function Changes({ version }: { version: VersionSummary }) {
 function ResultLine({ result }: { result: ResultSummary }) {
   return (
     <p className="result-line" title={outcomeInWords(result.outcome)}>
-      <span className="series-fe">{result.rung === "fe" ? "FE" : result.rung}</span>{" "}
-      {formatQuantity(result.bending_angle_deg)}° at {formatQuantity(result.pressure_kPa)} kPa
+      <span className="series-fe">
+        {result.rung === "fe" ? "FE" : result.rung} {meshOrAccuracy(result)}
+      </span>{" "}
+      {formatQuantity(result.bending_angle_deg)}°
+      {result.plate_force_N !== null && `, ${formatQuantity(result.plate_force_N)} N on the plate`} at{" "}
+      {formatQuantity(result.pressure_kPa)} kPa
       {result.outcome !== "converged" && ` (${result.outcome.replaceAll("_", " ")})`}
     </p>
   );

@@ -53,7 +53,7 @@ export function percent(fraction: number): string {
 }
 
 /** What a job's answer may be off by, or the mesh it was asked on. */
-export function meshOrAccuracy(job: Job): string {
+export function meshOrAccuracy(job: Pick<Job, "mesh" | "accuracy">): string {
   return job.mesh === null ? percent(job.accuracy) : `${job.mesh} mesh`;
 }
 

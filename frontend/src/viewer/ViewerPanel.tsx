@@ -27,6 +27,7 @@ const CAMERAS: readonly { value: Camera; label: string; title: string }[] = [
   { value: "three-quarter", label: "3D", title: "View from the corner" },
   { value: "side", label: "Side", title: "View along X2" },
   { value: "top", label: "Top", title: "View along X3" },
+  { value: "below", label: "Below", title: "Onto the underside, where it presses on a plate" },
   { value: "front", label: "Tip", title: "View along X1, onto the free end" },
 ];
 

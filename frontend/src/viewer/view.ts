@@ -46,7 +46,7 @@ function framesOf(content: ViewContent): [number[], Control] {
 }
 
 export type Colour = ContentRequest["colour"];
-export type Camera = "three-quarter" | "side" | "top" | "front";
+export type Camera = "three-quarter" | "side" | "top" | "below" | "front";
 
 interface Placed<T> {
   viewId: string;
