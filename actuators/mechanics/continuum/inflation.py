@@ -9,12 +9,12 @@ import math
 
 import numpy as np
 
-from actuators.mechanics.continuum.newton import Equilibrium, Target
+from actuators.mechanics.continuum.newton import Equilibrium, Failure, Target
 from actuators.mechanics.continuum.prediction import (
-    difference,
     growth,
     is_near_summit,
     predict,
+    predict_by_volume,
     pressure_step,
 )
 from actuators.mechanics.continuum.tracer import Tracer
@@ -29,6 +29,7 @@ MOST_STEPS = 400
 """Of a walk with the pressure unknown."""
 SMALL_VOLUME_STEP = 0.02
 """Failing below this, with the pressure's maximum in sight, ends the path there."""
+MOST_SMALL_STEPS = 6
 
 
 def inflate(
@@ -50,7 +51,7 @@ def inflate(
         wanted = last.pressure + sign * step
         if sign * (wanted - goal) > -0.2 * step:
             wanted = goal
-        result = tracer.solve(predict(history, wanted), Target(wanted))
+        result = tracer.solve(predict(tracer.system, history, wanted), Target(wanted))
         if isinstance(result, Equilibrium) and not result.negative_eigenvalues:
             history = [*history[-2:], result]
             step = abs(wanted - last.pressure) * growth(result.iterations)
@@ -89,20 +90,16 @@ def _by_volume(
     walk = Walk(tracer.system, tracer.solve, history, step)
 
     def given_up(share: float) -> bool:
-        if tracer.stopped():
-            return True
         near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail, sign)
-        if near:
-            path.outcome, path.limit = Outcome.LIMIT_POINT, walk.trail[-1]
-            if not visited or visited[-1] is not walk.trail[-1]:
-                visited.append(walk.trail[-1])  # also where only some pressures are reported
-        return near
+        return near or tracer.stopped()
 
     for _ in range(MOST_STEPS):
         last = walk.trail[-1]
         result = walk.advance(given_up=given_up)
         if result is None:
-            if path.limit is None and not tracer.stopped():
+            if is_near_summit(walk.trail, sign) and not tracer.stopped():
+                _close_in(tracer, walk.trail, sign, visited)
+            elif not tracer.stopped():
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
             return None
         if sign * (result.pressure - last.pressure) <= 0:
@@ -110,7 +107,7 @@ def _by_volume(
             return None
         if sign * (result.pressure - goal) >= 0:
             share = (goal - last.pressure) / (result.pressure - last.pressure)
-            start = last.state.moved(share, difference(result.state, last.state))
+            start = tracer.system.onward(last.state, result.state, share - 1)
             there = tracer.solve(start, Target(goal))
             if isinstance(there, Equilibrium) and not there.negative_eigenvalues:
                 return [last, there]
@@ -121,6 +118,30 @@ def _by_volume(
     path.outcome = Outcome.STALLED
     path.reason = "the volume changes without the pressure coming to a maximum"
     return None
+
+
+def _close_in(
+    tracer: Tracer, trail: list[Equilibrium], sign: float, visited: list[Equilibrium]
+) -> None:
+    """End at the maximum in sight, although the next step failed: small ones mostly lead across.
+    Where they do not, the last state found is as good as the maximum."""
+    path, share = tracer.path, SMALL_VOLUME_STEP / 2
+    for _ in range(MOST_SMALL_STEPS):
+        volume = (1 + sign * share) * trail[-1].volume
+        guess = predict_by_volume(tracer.system, trail, volume)
+        found = tracer.solve(guess[0], Target(guess[1], volume=volume))
+        if tracer.stopped():
+            return
+        if isinstance(found, Failure):
+            share /= 2
+        elif sign * (found.pressure - trail[-1].pressure) <= 0:
+            _end_at_limit(tracer, [*trail, found], sign, visited)
+            return
+        else:
+            trail = [*trail[-2:], found]
+    path.outcome, path.limit = Outcome.LIMIT_POINT, trail[-1]
+    if not visited or visited[-1] is not trail[-1]:
+        visited.append(trail[-1])  # also where only some pressures are reported
 
 
 def _end_at_limit(

@@ -1,4 +1,8 @@
-"""Extrapolating a path: the next state, the next step, the pressure's maximum."""
+"""Extrapolating a path: the next state, the next step, the pressure's maximum.
+
+States are extrapolated from two, linearly; a parabola through three was tried and cost more
+iterations wherever the step had grown.
+"""
 
 import math
 from collections.abc import Sequence
@@ -6,16 +10,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from actuators.mechanics.continuum.newton import Equilibrium
-from actuators.mechanics.continuum.system import State
+from actuators.mechanics.continuum.system import ContinuumSystem, State
 
 LARGEST_VOLUME_STEP = 0.15
 """Fraction of the cavity's volume."""
 NEAR_SUMMIT = 0.01
 """Distance below the pressure's extrapolated maximum, as a fraction of it, that counts as being
 there: chambers begin to balloon one by one, and each further step costs more than it tells."""
-PREDICTOR_STATES = 2
-"""States that the prediction extrapolates: linear. A parabola through three was tried and cost more
-iterations wherever the step had grown."""
 
 
 def growth(iterations: int) -> float:
@@ -33,38 +34,28 @@ def pressure_step(history: Sequence[Equilibrium]) -> float:
     return LARGEST_VOLUME_STEP * last.volume / slope if slope > 0 else math.inf
 
 
-def difference(a: State, b: State) -> State:
-    return a.moved(-1.0, b)
+def predict(system: ContinuumSystem, history: Sequence[Equilibrium], pressure: float) -> State:
+    """Extrapolation of the last two states (or the last one) to ``pressure``."""
+    last = history[-1]
+    if len(history) < 2:
+        return last.state
+    before = history[-2]
+    ratio = (pressure - last.pressure) / (last.pressure - before.pressure)
+    return system.onward(before.state, last.state, ratio)
 
 
-def lagrange_weights(known: Sequence[float], at: float) -> list[float]:
-    """Lagrange weights of the polynomial through values at ``known`` for its value at ``at``."""
-    return [
-        math.prod((at - other) / (own - other) for k, other in enumerate(known) if k != n)
-        for n, own in enumerate(known)
-    ]
-
-
-def combine(states: Sequence[State], weights: Sequence[float]) -> State:
-    total = states[0].moved(weights[0] - 1.0, states[0])
-    for weight, state in zip(weights[1:], states[1:], strict=True):
-        total = total.moved(weight, state)
-    return total
-
-
-def predict(history: list[Equilibrium], pressure: float) -> State:
-    """Extrapolation of the last states (up to two) to ``pressure``."""
-    recent = history[-PREDICTOR_STATES:]
-    weights = lagrange_weights([e.pressure for e in recent], pressure)
-    return combine([e.state for e in recent], weights)
-
-
-def predict_by_volume(trail: list[Equilibrium], volume: float) -> tuple[State, float]:
-    """Extrapolation of the last states, and of the pressure, to ``volume``."""
-    recent = trail[-PREDICTOR_STATES:]
-    weights = lagrange_weights([e.volume for e in recent], volume)
-    pressure = sum(w * e.pressure for w, e in zip(weights, recent, strict=True))
-    return combine([e.state for e in recent], weights), pressure
+def predict_by_volume(
+    system: ContinuumSystem, trail: Sequence[Equilibrium], volume: float
+) -> tuple[State, float]:
+    """Extrapolation of the last two states (or the last one), and of the pressure, to
+    ``volume``."""
+    last = trail[-1]
+    if len(trail) < 2:
+        return last.state, last.pressure
+    before = trail[-2]
+    ratio = (volume - last.volume) / (last.volume - before.volume)
+    pressure = last.pressure + ratio * (last.pressure - before.pressure)
+    return system.onward(before.state, last.state, ratio), pressure
 
 
 def is_near_summit(trail: Sequence[Equilibrium], sign: float = 1.0) -> bool:

@@ -1,12 +1,7 @@
 """The loads of a scene, all raised together by one share before anything is inflated."""
 
 from actuators.mechanics.continuum.newton import Equilibrium, Target
-from actuators.mechanics.continuum.prediction import (
-    PREDICTOR_STATES,
-    combine,
-    growth,
-    lagrange_weights,
-)
+from actuators.mechanics.continuum.prediction import growth
 from actuators.mechanics.continuum.system import State
 from actuators.mechanics.continuum.tracer import Tracer
 from actuators.mechanics.response import Outcome
@@ -22,9 +17,10 @@ def apply_loads(tracer: Tracer) -> Equilibrium | None:
     while True:
         done = states[-1][0]
         share = done + step if done + 1.2 * step < 1.0 else 1.0
-        recent = states[-PREDICTOR_STATES:]
-        weights = lagrange_weights([known for known, _ in recent], share)
-        start = combine([state for _, state in recent], weights)
+        start = states[-1][1]
+        if len(states) > 1:
+            (earlier, before), (_, last) = states[-2:]
+            start = tracer.system.onward(before, last, (share - done) / (done - earlier))
         result = tracer.solve(start, Target(0.0, loads=share))
         if isinstance(result, Equilibrium):
             if share == 1.0:

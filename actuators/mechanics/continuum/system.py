@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from actuators.mechanics.continuum.kernel.pattern import (
 )
 from actuators.mechanics.continuum.outer_loads import FacePlaces, OuterLoads, face_places
 from actuators.mechanics.continuum.sheets import by_element, sheets_of
+from actuators.mechanics.continuum.turning import Turning
 from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.meshing import CENTRE, FACE_NODES, HexMesh
 
@@ -87,6 +88,9 @@ class ContinuumSystem:
         self._outer_loads = outer_loads
         self.interactions = tuple(interactions)
         self.materials = tuple(materials)
+        self._free = free
+        can_turn = np.array_equal(free, clamped(mesh))
+        self._turning = Turning(mesh) if can_turn else None
         unknown = free.copy()
         unknown[mesh.centre_nodes] = False
         self.dof = np.full(unknown.shape, -1, dtype=np.int32)
@@ -246,6 +250,31 @@ class ContinuumSystem:
             self.dof, solution, du, dq,
         )  # fmt: skip
         return State(du, dq, self._sheets.correction(du, balance.sheet))
+
+    def moved(self, state: State, factor: float, step: State) -> State:
+        """``state`` after this part of a correction, along arcs where the body can turn."""
+        straight = state.moved(factor, step)
+        if self._turning is None:
+            return straight
+        nodes = self.mesh.nodes
+        ahead = self._turning.moved(nodes + state.displacement, factor * step.displacement)
+        return self._held(straight, ahead)
+
+    def onward(self, before: State, last: State, ratio: float) -> State:
+        """Extrapolation: ``last`` moved on by ``ratio`` times the way from ``before``."""
+        straight = last.moved(ratio, last.moved(-1.0, before))
+        if self._turning is None:
+            return straight
+        nodes = self.mesh.nodes
+        ahead = self._turning.extrapolated(
+            nodes + before.displacement, nodes + last.displacement, ratio
+        )
+        return self._held(straight, ahead)
+
+    def _held(self, straight: State, positions: np.ndarray) -> State:
+        """``straight`` with these positions, but where it is held."""
+        displacement = np.where(self._free, positions - self.mesh.nodes, straight.displacement)
+        return replace(straight, displacement=displacement)
 
     def unknowns_of(self, state: State) -> np.ndarray:
         """Displacements (unknowns,) that are not held [m]."""

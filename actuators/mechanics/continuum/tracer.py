@@ -102,7 +102,7 @@ class Tracer:
                 break
             volume = summit_volume([below, top, above], sign)
             near = below if sign * (volume - top.volume) < 0 else above
-            guess = predict_by_volume([near, top], volume)
+            guess = predict_by_volume(self.system, [near, top], volume)
             found = self.solve(guess[0], Target(guess[1], volume=volume))
             if isinstance(found, Failure):
                 break

@@ -12,7 +12,6 @@ import numpy as np
 from actuators.mechanics.continuum.newton import Equilibrium, Failure, Plane, Target
 from actuators.mechanics.continuum.prediction import (
     LARGEST_VOLUME_STEP,
-    combine,
     growth,
     predict_by_volume,
 )
@@ -60,7 +59,7 @@ class Walk:
             if volume is not None and (volume - wanted) * step < 0.2 * step * step:
                 wanted = volume
             share = abs(wanted - last.volume) / last.volume
-            guess = predict_by_volume(self.trail, wanted)
+            guess = predict_by_volume(self._system, self.trail, wanted)
             found = self._solve(guess[0], Target(guess[1], volume=wanted))
             if isinstance(found, Equilibrium) and not (_may_have_leapt(last, found, share)):
                 self._step = (wanted - last.volume) * growth(found.iterations)
@@ -99,7 +98,7 @@ class Walk:
                 self._widest(last) / max(abs(last.volume - before.volume), 1e-300),
             )
             plane = Plane(secant / length, x + ratio * secant)
-            start = combine([before.state, last.state], [-ratio, 1 + ratio])
+            start = self._system.onward(before.state, last.state, ratio)
             guess = last.pressure + ratio * (last.pressure - before.pressure)
             found = self._solve(start, Target(guess, plane=plane))
             if isinstance(found, Equilibrium):
@@ -118,7 +117,7 @@ class Walk:
         if volume is None or (found.volume - volume) * (last.volume - volume) > 0:
             return found
         share = (volume - last.volume) / (found.volume - last.volume)
-        start = combine([last.state, found.state], [1 - share, share])
+        start = self._system.onward(last.state, found.state, share - 1)
         guess = last.pressure + share * (found.pressure - last.pressure)
         there = self._solve(start, Target(guess, volume=volume))
         self.arrived = isinstance(there, Equilibrium)
