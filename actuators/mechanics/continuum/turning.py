@@ -21,7 +21,9 @@ class Turning:
         self._station = mesh.node_index[:, 0].astype(np.int64)
         self._count = int(self._station.max()) + 1
         self._is_half = mesh.is_half
-        self._marked = np.unique(mesh.elements[mesh.region == BOTTOM_REGION])
+        bottom = np.unique(mesh.elements[mesh.region == BOTTOM_REGION])
+        everywhere = len(np.unique(self._station[bottom])) == self._count
+        self._marked = bottom if everywhere else np.arange(len(mesh.nodes))
         self._marked_station = self._station[self._marked]
         self._size = np.bincount(self._marked_station, minlength=self._count).astype(float)
 
