@@ -32,8 +32,8 @@ MONOTONE = 0.75
 """The natural monotonicity test for full steps too: from a coarser mesh's answer, where nothing
 turns, it is the safer rule."""
 TOUCHING = 1e-2
-"""Share of the tolerance where surfaces touch: contact answers a displacement of a thousandth of the
-body's size with a pressure of many shear moduli, and its force is part of the answer."""
+"""Share of the tolerance where surfaces touch: there a thousandth of the body's size is a pressure
+of many shear moduli, and its resultant is part of the answer."""
 NEGLIGIBLE = 1e-3
 MOST_CONTACT_CHANGES = 4
 """Steps taken because contact changed; they do not count as iterations."""
@@ -157,7 +157,7 @@ def _newton(
             return Failure("the tangent is singular", iterations)
         factor = 1.0
         while True:
-            trial, trial_pressure = system.moved(state, factor, step), pressure + factor * dp
+            trial, trial_pressure = state.moved(factor, step), pressure + factor * dp
             balance = system.balance(trial, trial_pressure, loads=target.loads)
             if balance.admissible:
                 again, dp_again = border.correction(trial, balance)
@@ -175,7 +175,7 @@ def _newton(
         state, pressure = trial, trial_pressure
         negligible = NEGLIGIBLE * tolerance * size
         while factor == 1.0 and rest <= max(TRUSTED_CONTRACTION * length, negligible):
-            state, pressure = system.moved(state, 1.0, again), pressure + dp_again
+            state, pressure = state.moved(1.0, again), pressure + dp_again
             pressed = any(touch.points for touch in balance.touches)
             if rest <= tolerance * size * (TOUCHING if pressed else 1.0):
                 volume, _ = system.volume(state)
