@@ -1,6 +1,6 @@
 """What differs between two designs and their scenes, as a designer reads it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -69,6 +69,10 @@ def entries(one: VersionRow, other: VersionRow) -> Iterator[Entry]:
             yield Entry(name, label, unit, here.get("to"), there.get("to"))
     yield Entry("steps", "Steps", "", _steps(scene_left), _steps(scene_right))
     yield Entry("gravity", "Gravity", "m/s2", _gravity(scene_left), _gravity(scene_right))
+    for name, (label, unit, read) in _ADDED.items():
+        here, there = read(scene_left), read(scene_right)
+        if here is not None or there is not None:
+            yield Entry(name, label, unit, here, there)
 
 
 def _title(family: str) -> str:
@@ -81,4 +85,41 @@ def _steps(scene: Mapping[str, Any]) -> Any:
 
 def _gravity(scene: Mapping[str, Any]) -> str:
     gravity = scene["gravity_m_s2"]
-    return "none" if gravity is None else "(" + ", ".join(f"{g:g}" for g in gravity) + ")"
+    return "none" if gravity is None else _vector(gravity)
+
+
+def _vector(parts: Sequence[float]) -> str:
+    return "(" + ", ".join(f"{part:g}" for part in parts) + ")"
+
+
+def _tip_force(scene: Mapping[str, Any]) -> Value:
+    force = scene.get("tip_force_N")
+    return None if force is None else _vector(force)
+
+
+def _plate(scene: Mapping[str, Any]) -> Value:
+    plate = scene.get("plate")
+    if plate is None:
+        return None
+    side = "" if plate["normal"] == [0, 0, 1] else f", normal {_vector(plate['normal'])}"
+    return f"{plate['gap_mm']:g} mm away{side}"
+
+
+def _cylinder(scene: Mapping[str, Any]) -> Value:
+    cylinder = scene.get("cylinder")
+    if cylinder is None:
+        return None
+    return (
+        f"radius {cylinder['radius_mm']:g} mm at {_vector(cylinder['centre_mm'])} mm, "
+        f"axis {_vector(cylinder['axis'])}"
+    )
+
+
+# loads and obstacles that a scene may have, by plain name: label, unit, how it reads
+_ADDED: Mapping[str, tuple[str, str, Callable[[Mapping[str, Any]], Value]]] = {
+    "outside_pressure": ("Outside pressure", "kPa", lambda s: s.get("outside_pressure_kPa")),
+    "tip_force": ("Tip force", "N", _tip_force),
+    "plate": ("Plate", "", _plate),
+    "cylinder": ("Cylinder", "", _cylinder),
+    "self_contact": ("Self-contact", "", lambda s: s.get("effects", {}).get("self_contact")),
+}

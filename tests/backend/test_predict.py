@@ -85,3 +85,23 @@ def test_suction_has_no_instant_answer(client: TestClient) -> None:
     body = {"design": SLAB, "scene": {"pressure_kPa": {"to": -5.0}}, "beyond": "leave out"}
     refused = client.post("/api/predict", json=body)
     assert (refused.status_code, refused.json()["detail"]["kind"]) == (422, "question")
+
+
+def test_a_comparison_lists_loads_that_one_side_has_and_leaves_them_out_of_its_instant_answer(
+    client: TestClient,
+) -> None:
+    body = {"name": "Loaded", "design": SLAB, "scene": LOADED}
+    loaded = client.post("/api/designs", json=body).json()["version"]
+    change = {"design": SLAB, "scene": {**SCENE, "effects": {"self_contact": "off"}}}
+    path = f"/api/designs/{loaded['design_id']}/versions"
+    free = client.post(path, json=change).json()
+    compared = client.get(f"/api/compare?left={loaded['id']}&right={free['id']}").json()
+    rows = {each["name"]: (each["left"], each["right"]) for each in compared["parameters"]}
+    assert rows["plate"] == ("5 mm away", None)
+    assert rows["tip_force"] == ("(0, 0, 0.05)", None)
+    assert rows["self_contact"] == (None, "off")
+    assert set(compared["left"]["instant_left_out"]) == {"plate", "tip_force"}
+    assert compared["left"]["instant_result"] is not None
+    assert compared["right"]["instant_left_out"] == []
+    changed = client.get(f"/api/designs/{loaded['design_id']}").json()["versions"][0]["changes"]
+    assert {"plate", "tip_force", "self_contact"} <= {each["name"] for each in changed}

@@ -106,8 +106,8 @@ function create(host: HTMLElement, props: () => CurveChartProps, xTitle: string)
             const { curves, marked, onDrawn, equal, rules } = props();
             drawAxisTitle(u, xTitle);
             if (equal) drawClamp(u);
-            drawRules(u, rules ?? []);
             drawCurves(u, curves);
+            drawRules(u, rules ?? []);
             if (marked !== null) drawMarker(u, curves, marked, !equal);
             onDrawn?.();
           },

@@ -98,6 +98,8 @@ export interface Rule {
   axis: "x" | "y";
   value: number;
   label: string;
+  /** Where the label has no room. */
+  short: string;
   /** Name of the colour's design token. */
   color: string;
 }
@@ -122,17 +124,17 @@ export function drawRules(u: uPlot, rules: readonly Rule[]): void {
       ctx.setLineDash([]);
       ctx.font = `${10.5 * ratio}px ${token("--font")}`;
       ctx.textBaseline = "bottom";
-      ctx.textAlign = "right";
-      if (rule.axis === "y") {
-        ctx.fillText(rule.label, left + width - 4 * ratio, place - 2 * ratio);
-      } else {
-        // Along the line, on the side where there is a curve.
-        ctx.save();
-        ctx.translate(place - 3 * ratio, top + 4 * ratio);
-        ctx.rotate(-Math.PI / 2);
-        ctx.fillText(rule.label, 0, 0);
-        ctx.restore();
-      }
+      const room = left + width - place;
+      const text = rule.axis === "x" && Math.max(room, place - left) < ctx.measureText(rule.label).width + 8 * ratio ? rule.short : rule.label;
+      const fits = rule.axis === "x" && room > ctx.measureText(text).width + 8 * ratio;
+      ctx.textAlign = fits ? "left" : "right";
+      const x = rule.axis === "y" ? left + width - 4 * ratio : place + (fits ? 4 : -4) * ratio;
+      const y = (rule.axis === "y" ? place : top + height) - 3 * ratio;
+      // What the words stand on must not cross them.
+      ctx.strokeStyle = token("--panel");
+      ctx.lineWidth = 4 * ratio;
+      ctx.strokeText(text, x, y);
+      ctx.fillText(text, x, y);
     }
   });
 }

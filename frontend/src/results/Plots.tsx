@@ -67,7 +67,7 @@ function forceCurves({ fe, control }: PlotsProps): Curve[] {
 function limitRule(fe: ShownFe | null, axis: Rule["axis"]): Rule[] {
   const limit = fe?.matches === true ? fe.result.limit_pressure_kPa : null;
   if (limit === null) return [];
-  return [{ axis, value: limit, label: `no equilibrium above ${kPa(limit)}`, color: "--series-fe" }];
+  return [{ axis, value: limit, label: `no equilibrium above ${kPa(limit)}`, short: `limit ${kPa(limit)}`, color: "--series-fe" }];
 }
 
 const STALE_MARK = (

@@ -59,7 +59,7 @@ function Beyond({ instant, leftOut }: { instant: boolean; leftOut: readonly stri
   const sentences = [
     instant ? "" : "The instant model has no answer to this load; 3D FE has.",
     missing.length > 0 && instant ? `Instant answer without ${loadsInWords(missing)}; 3D FE carries all loads.` : "",
-    missing.length < leftOut.length && instant ? "Its volume rises in proportion to pressure; that of 3D FE does not." : "",
+    missing.length < leftOut.length && instant ? "The volume of the instant answer rises in proportion to pressure; that of 3D FE does not." : "",
   ].filter(Boolean);
   if (sentences.length === 0) return null;
   return (

@@ -4,7 +4,7 @@ import { formatQuantity } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
 
 const OUTCOMES: Record<string, string> = {
-  converged: "Reached the full pressure.",
+  converged: "Reached the end of the path.",
   limit_point: "Reached a limit point: beyond it the actuator grows without more pressure.",
   stalled: "Stopped early: no equilibrium was found beyond the last point.",
   cancelled: "Cancelled; the part that was found is kept.",
