@@ -33,13 +33,14 @@ def fill(
         if found is None:
             if not tracer.stopped():
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
+            if last is not first and (not visited or visited[-1] is not last):
+                visited.append(last)  # how far it came, also where only some volumes are reported
+                path.by_arc += walk.by_arc
             return visited
         if path.limit is None and sign * (found.pressure - last.pressure) < 0:
             path.limit = tracer.summit(walk.trail, sign)
-            between = sign * (found.volume - path.limit.volume) > 0
-            if stops is None and between and path.limit is not last:
-                visited.append(path.limit)
-                path.by_arc += walk.by_arc
+            if stops is None and path.limit is not last:
+                _insert(visited, path.limit, last, sign)
         tracer.told(found)
         reached = walk.arrived
         if stops is None or reached:
@@ -52,3 +53,11 @@ def fill(
     path.outcome = Outcome.STALLED
     path.reason = f"the volume was not reached in {MOST_STEPS} steps"
     return visited
+
+
+def _insert(visited: list[Equilibrium], limit: Equilibrium, last: Equilibrium, sign: float) -> None:
+    """Put the pressure's maximum among the states visited, before or after the last one."""
+    if sign * (limit.volume - last.volume) > 0:
+        visited.append(limit)
+    elif visited:
+        visited.insert(len(visited) - 1, limit)

@@ -117,9 +117,10 @@ def test_a_soft_pneu_net_is_followed_where_its_volume_turns_back() -> None:
     assert path.limit.pressure == pytest.approx(17.04e3, abs=0.02e3)
     volumes = np.array([e.volume / start for e in path.points])
     assert volumes[-1] == pytest.approx(5.0, rel=1e-5)
+    assert path.limit in path.points
     back = np.flatnonzero(np.diff(volumes) < 0)
     assert len(back) > 2
-    assert volumes[back[0]] == pytest.approx(3.45, abs=0.05)
+    assert volumes[back[0]] == pytest.approx(3.445, abs=0.03)
     assert path.by_arc > 10
     # every step is small: nothing was jumped over
     steps = np.diff([system.unknowns_of(e.state) for e in path.points], axis=0)
