@@ -35,11 +35,15 @@ TOUCHING = 1e-2
 """Share of the tolerance where surfaces touch: there a thousandth of the body's size is a pressure
 of many shear moduli, and its resultant is part of the answer."""
 NEGLIGIBLE = 1e-3
-MOST_CONTACT_CHANGES = 4
+MOST_CONTACT_CHANGES = 6
 """Steps taken because contact changed; they do not count as iterations."""
-SOFTEST, HARDENING = 16.0, 3.0
+DEEPEST = 4.0
+"""Overlap, in distances at which contact sets in, to which a step is cut that runs surfaces into
+each other: what touches first is in the next tangent."""
+SOFTEST, HARDENING = 200.0, 3.0
 """How much softer than they are surfaces are made where Newton's method fails with them as they
-are, and how much harder from one state to the next."""
+are, and how much harder from one state to the next. Walls of the body are never made softer than
+they see each other."""
 ROUGH = 30.0
 """Tolerance of a state with soft surfaces over that of the answer."""
 
@@ -155,9 +159,9 @@ def _newton(
         length = _length(system, step)
         if not np.isfinite(length):
             return Failure("the tangent is singular", iterations)
-        factor = 1.0
+        factor = first = _until_contact(system, state, step)
         while True:
-            trial, trial_pressure = state.moved(factor, step), pressure + factor * dp
+            trial, trial_pressure = system.moved(state, factor, step), pressure + factor * dp
             balance = system.balance(trial, trial_pressure, loads=target.loads)
             if balance.admissible:
                 again, dp_again = border.correction(trial, balance)
@@ -166,7 +170,7 @@ def _newton(
                 slack = (MONOTONE if changed else lenience) if factor == 1.0 else 1 - factor / 4
                 if rest <= slack * length or rest <= NEGLIGIBLE * tolerance * size:
                     break
-                if changed and factor == 1.0 and changes < MOST_CONTACT_CHANGES:
+                if changed and factor == first and changes < MOST_CONTACT_CHANGES:
                     changes += 1
                     break
             factor /= 2
@@ -175,7 +179,7 @@ def _newton(
         state, pressure = trial, trial_pressure
         negligible = NEGLIGIBLE * tolerance * size
         while factor == 1.0 and rest <= max(TRUSTED_CONTRACTION * length, negligible):
-            state, pressure = state.moved(1.0, again), pressure + dp_again
+            state, pressure = system.moved(state, 1.0, again), pressure + dp_again
             pressed = any(touch.points for touch in balance.touches)
             if rest <= tolerance * size * (TOUCHING if pressed else 1.0):
                 volume, _ = system.volume(state)
@@ -188,6 +192,20 @@ def _newton(
             again, dp_again = border.correction(state, balance)
             rest = _length(system, again)
     return Failure(f"not converged in {most_iterations} iterations", iterations, met)
+
+
+def _until_contact(system: ContinuumSystem, state: State, step: State) -> float:
+    """Largest part of a step that runs surfaces no deeper into each other than :data:`DEEPEST`, or
+    twice as deep as they are."""
+    factor = 1.0
+    if not system.interactions:
+        return factor
+    allowed = max(DEEPEST, 2 * system.overlap(state))
+    while factor > 2 * SMALLEST_FACTOR:
+        if system.overlap(system.moved(state, factor, step)) <= allowed:
+            break
+        factor /= 2
+    return factor
 
 
 class _Border:

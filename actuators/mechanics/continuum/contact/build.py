@@ -1,5 +1,6 @@
 """The interactions that a scene asks for."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -14,12 +15,16 @@ from actuators.mechanics.obstacles import Cylinder
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
 
+CONCENTRATED = 3.0
+"""Contact pressure over the loads', where walls meet."""
+
 
 def interactions(
     mesh: HexMesh, materials: Sequence[Material], scene: Scene
 ) -> tuple[Interaction, ...]:
     """Plate, cylinder, and the body against itself unless that is switched off."""
-    surface, law = outside(mesh), contact_law(mesh, materials)
+    surface = outside(mesh)
+    law = contact_law(mesh, materials, _expected_pressure(mesh, materials, scene))
     obstacles = [
         Obstacle(surface, law, obstacle)
         for obstacle in (scene.plate, scene.cylinder)
@@ -31,6 +36,17 @@ def interactions(
         return tuple(obstacles)
     height = float(np.ptp(mesh.nodes[:, 2]))
     return (*obstacles, SelfContact(surface, law, height))
+
+
+def _expected_pressure(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> float:
+    """Contact pressure [Pa] that the loads can make: some times the pressures, weight and force on
+    the body's section; infinite where the loads do not bound it."""
+    if scene.pressure_to is None:
+        return math.inf
+    length, _, height = np.ptp(mesh.nodes, axis=0)
+    weight = max(m.density for m in materials) * math.hypot(*(scene.gravity or (0.0,))) * length
+    force = math.hypot(*(scene.tip_force or (0.0,))) / height**2
+    return CONCENTRATED * (abs(scene.pressure_to) + abs(scene.outside_pressure) + weight + force)
 
 
 def _refuse_overlap(obstacle: Obstacle, mesh: HexMesh) -> None:

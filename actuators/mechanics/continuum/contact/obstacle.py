@@ -66,7 +66,7 @@ class Obstacle:
 
     def overlap(self, positions: np.ndarray) -> float:
         """See :class:`Interaction`."""
-        return max(0.0, -float(self.gaps(positions).min()) / self._hard.onset)
+        return max(0.0, -float(self.gaps(positions).min()) / self._law.onset)
 
     def soften(self, factor: float) -> None:
         """See :class:`Interaction`."""

@@ -78,11 +78,11 @@ class SelfContact:
 
     def overlap(self, positions: np.ndarray) -> float:
         """See :class:`Interaction`."""
-        return max(0.0, -float(self.gaps(positions).min()) / self._hard.onset)
+        return max(0.0, -float(self.gaps(positions).min()) / self._law.onset)
 
     def soften(self, factor: float) -> None:
         """See :class:`Interaction`."""
-        self._law = self._hard.softened(factor)
+        self._law = self._hard.softened(min(factor, 0.5 * self._reach / self._hard.onset))
 
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
         """See :class:`Interaction`."""

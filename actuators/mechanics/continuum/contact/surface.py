@@ -1,5 +1,6 @@
 """The outside of a mesh as contact sees it, and how hard it is."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
 from actuators.meshing import HexMesh
 
 TOLERANCE = 2e-4
-"""Penetration [body sizes] at a contact pressure equal to the largest shear modulus."""
+"""Penetration [body sizes] at the contact pressure to be expected."""
 ONSET = 0.5 * TOLERANCE
 """Distance [body sizes] at which contact pressure begins."""
 
@@ -29,12 +30,14 @@ class ContactLaw:
         return ContactLaw(self.stiffness / factor, self.onset * factor)
 
 
-def contact_law(mesh: HexMesh, materials: Sequence[Material]) -> ContactLaw:
-    """So hard that a pressure of the stiffest rubber's shear modulus presses the surfaces
-    :data:`TOLERANCE` of the body's size into each other."""
+def contact_law(
+    mesh: HexMesh, materials: Sequence[Material], expected: float = math.inf
+) -> ContactLaw:
+    """So hard that the ``expected`` pressure [Pa], or the stiffest rubber's shear modulus if that
+    is less, presses the surfaces :data:`TOLERANCE` of the body's size into each other."""
     size = float(np.ptp(mesh.nodes, axis=0).max())
     modulus = max(material.shear_modulus for material in materials)
-    return ContactLaw(modulus / (TOLERANCE * size), ONSET * size)
+    return ContactLaw(min(modulus, expected) / (TOLERANCE * size), ONSET * size)
 
 
 @dataclass(frozen=True, eq=False)
