@@ -29,7 +29,7 @@ export function EndRow(rows: SceneRows) {
     <>
       <LoadRow
         {...rows}
-        place={loads.control === "pressure" ? "volume" : "pressure"}
+        place="control"
         label="Inflate by"
         kind="choice"
         changed={loads.control !== before.control}

@@ -2,6 +2,7 @@
 import type { Loads } from "../workbench/loads";
 
 const LABELS = {
+  control: "Inflate by",
   pressure: "Pressure to",
   volume: "Volume to",
   gravity: "Gravity",
