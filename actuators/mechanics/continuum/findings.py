@@ -81,6 +81,20 @@ def path_notes(path: Path, parts: float) -> list[str]:
     return notes
 
 
+def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[str]:
+    """A note on cavity walls that suction has drawn through each other; ``openness`` (k,): their
+    smallest distance over that at rest."""
+    closed = np.flatnonzero(openness < 0.0)
+    if len(closed) == 0:
+        return []
+    first = points[int(closed[0])]
+    return [
+        f"Walls of the cavity run through each other from {first.pressure / 1e3:.3g} kPa "
+        f"({1e6 * (first.cavity_volume or 0.0):.3g} ml) on: this version has no contact inside the "
+        "cavity, and from there on the result is not physical."
+    ]
+
+
 def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
     """Note on walls that have run into each other; ``depth`` (k,) [m] at every point."""
     deep = np.flatnonzero(depth > VISIBLE_OVERLAP)

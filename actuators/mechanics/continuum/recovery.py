@@ -5,11 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.mechanics.continuum.cavity_gap import least_openness
 from actuators.mechanics.continuum.contact.effects import contact_effects
 from actuators.mechanics.continuum.contact.report import ContactReport, contact_report
 from actuators.mechanics.continuum.estimates import JUDGED
 from actuators.mechanics.continuum.findings import (
     advice,
+    collapse_notes,
     effects,
     overlap_note,
     path_notes,
@@ -57,6 +59,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     notes = [*_notes(answer, accuracy), *path_notes(answer.path, halves(mesh))]
     if states:
         notes += range_notes(system.materials, largest.max(axis=0))
+        notes += collapse_notes(points, least_openness(mesh, states))
     if note is not None:
         notes.append(note)
     path = answer.path

@@ -65,3 +65,14 @@ def test_suction_bends_the_other_way() -> None:
     drawn = solve(SMALL, Scene(volume_to=smaller, steps=1, gravity=None), accuracy=0.2)
     assert drawn.path[-1].pressure == pytest.approx(-2e3, rel=0.05)
     assert drawn.path[-1].bending_angle == pytest.approx(found.path[-1].bending_angle, rel=0.05)
+
+
+def test_a_roof_drawn_through_the_floor_is_noted() -> None:
+    slack = SMALL.changed(roof_thickness=1.0)
+    rest = solve(slack, Scene(0.0, gravity=None), accuracy=1.0).path[0].cavity_volume or 0.0
+    drained = Scene(volume_to=0.25 * rest, steps=3, gravity=None)
+    found = solve(slack, drained, mesh="coarse")
+    assert found.outcome is Outcome.CONVERGED
+    assert [note for note in found.notes if "run through each other" in note]
+    half_way = solve(slack, Scene(volume_to=0.9 * rest, steps=1, gravity=None), mesh="coarse")
+    assert not [note for note in half_way.notes if "run through each other" in note]
