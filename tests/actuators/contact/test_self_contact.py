@@ -13,6 +13,7 @@ from tests.actuators.contact.pressed import (
     MU,
     RUBBER,
     Place,
+    box,
     press,
     reaction,
     straight,
@@ -131,3 +132,29 @@ def test_areas_of_the_gauss_points_add_up() -> None:
     faces = mesh.outer_faces.nodes.astype(np.int64)
     expected = 2 * (2 * 10e-3**2 + 4 * 10e-3 * 5e-3)
     assert face_areas(mesh.nodes, faces).sum() == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("gap", [0.1e-3, -2e-6])
+def test_a_strip_curled_up_more_than_a_turn_meets_itself(gap: float) -> None:
+    """Rolled into a spiral: beyond a full turn the upper side passes inside the underside."""
+    length, thick, turns = 200e-3, 2e-3, 1.25
+    mesh = mesh_body(box((length, 10e-3, thick)), uniform=(100, 1, 1))
+    pitch = (thick + gap) / (2 * np.pi)
+    radius = length / (2 * np.pi * turns)
+    angle = mesh.nodes[:, 0] / length * 2 * np.pi * turns
+    r = radius - pitch * angle + mesh.nodes[:, 2]
+    curled = np.stack([r * np.sin(angle), mesh.nodes[:, 1], r * np.cos(angle)], axis=-1)
+    contact = contact_of(mesh)
+    found = contact.gaps(curled)
+    # radial distance of the faces between their nodes: quadratic faces follow the circle closely
+    assert found.min() == pytest.approx(gap, abs=2e-6)
+    facing = found < 0.2e-3
+    middle = mesh.nodes[outside(mesh).faces[facing.any(axis=1)][:, 4]]
+    assert middle[:, 0].min() < 0.05 * length
+    assert middle[:, 0].max() > 0.95 * length
+    # nothing but the last quarter of a turn and what it lies under
+    assert ((middle[:, 0] < 0.22 * length) | (middle[:, 0] > 0.78 * length)).all()
+    residual = np.zeros_like(curled)
+    contact.add(curled, residual, None)
+    assert residual.any() == (gap < 0)
+    assert residual.sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
