@@ -156,6 +156,7 @@ def main() -> None:
     elements = len(mesh_body(problem.half(), layers=chosen).elements)
     found = ENGINES[engine](problem, chosen)
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    # of a spawned program this is at least the spawning process's own
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss if engine == "CalculiX" else own
     print(json.dumps({
         "engine": engine, "problem": name, "layers": chosen, "elements": elements,
