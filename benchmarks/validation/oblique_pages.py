@@ -113,6 +113,7 @@ def sweep_section(answers: Answers) -> str:
     ]  # fmt: skip
     found_rows.append(["periodic cell (instant model)", *_places(fine, *cell.values())])
     found_rows.append(["energy model (10), any constant c", *_places(fine, *lines.values())])
+    found_rows += _presets_places(answers)
     numbers = [
         [f"{a}°", *(number(answers[f"theta-{a}"].at(p, k)) for k in cell for p in pressures),
          percent(answers[f"theta-{a}"].error_percent)]
@@ -126,6 +127,24 @@ def sweep_section(answers: Answers) -> str:
         "",
         table(["theta", *heads, "error estimate (tip)"], numbers),
     ])  # fmt: skip
+
+
+def _presets_places(answers: Answers) -> list[list[str]]:
+    """The same of G's six presets, whose t's and n change with the angle."""
+    angles = np.array(OBLIQUES, dtype=float)
+    line = [instant(preset(f"oblique-{a}").design, 1.0) for a in OBLIQUES]
+    values = [
+        np.array(v, dtype=float) for v in ([q.torsion for q in line], [q.curvature for q in line])
+    ]
+    rows = [["G's six presets, instant model", *_places(angles, *values)]]
+    found = [answers.get(f"oblique-{a}") for a in OBLIQUES]
+    known = [f for f in found if f is not None]
+    if len(known) == len(found):
+        both = [
+            np.array([f.at(10.0, k) for f in known]) for k in ("torsion_per_m", "curvature_per_m")
+        ]
+        rows.append(["G's six presets, 3D FE, 10 kPa", *_places(angles, *both)])
+    return rows
 
 
 def _places(angles: np.ndarray, torsion: np.ndarray, curvature: np.ndarray) -> list[str]:
