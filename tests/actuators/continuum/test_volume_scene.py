@@ -16,13 +16,13 @@ SMALL = preset("slab-rectangle-low").design.changed(
 
 @pytest.fixture(scope="module")
 def by_pressure() -> Response:
-    return solve(SMALL, Scene(40e3), accuracy=0.2)
+    return solve(SMALL, Scene(40e3), mesh="medium")
 
 
 @pytest.fixture(scope="module")
 def by_volume(by_pressure: Response) -> Response:
     volumes = [p.cavity_volume or 0.0 for p in by_pressure.path]
-    return solve(SMALL, Scene(volume_to=2 * volumes[-1], steps=6), accuracy=0.2)
+    return solve(SMALL, Scene(volume_to=2 * volumes[-1], steps=6), mesh="medium")
 
 
 def test_a_volume_beyond_the_limit_is_reached_and_the_limit_named(
@@ -51,18 +51,18 @@ def test_volumes_are_reported_in_equal_steps_with_their_pressures(by_volume: Res
 
 def test_the_same_volume_has_the_same_pressure_either_way(by_pressure: Response) -> None:
     point = by_pressure.path[len(by_pressure.path) // 2]
-    again = solve(SMALL, Scene(volume_to=point.cavity_volume, steps=1), accuracy=0.2)
+    again = solve(SMALL, Scene(volume_to=point.cavity_volume, steps=1), mesh="medium")
     assert again.path[-1].pressure == pytest.approx(point.pressure, rel=0.03)
     assert again.limit_pressure is None
 
 
 def test_suction_bends_the_other_way() -> None:
     floating = Scene(-2e3, steps=2, gravity=None)
-    found = solve(SMALL, floating, accuracy=0.2)
+    found = solve(SMALL, floating, mesh="medium")
     assert [p.pressure for p in found.path] == pytest.approx([0.0, -1e3, -2e3])
     assert found.path[-1].bending_angle < found.path[1].bending_angle < 0.0
     smaller = found.path[-1].cavity_volume or 0.0
-    drawn = solve(SMALL, Scene(volume_to=smaller, steps=1, gravity=None), accuracy=0.2)
+    drawn = solve(SMALL, Scene(volume_to=smaller, steps=1, gravity=None), mesh="medium")
     assert drawn.path[-1].pressure == pytest.approx(-2e3, rel=0.05)
     assert drawn.path[-1].bending_angle == pytest.approx(found.path[-1].bending_angle, rel=0.05)
 
