@@ -6,7 +6,9 @@ import { problemInWords } from "./problemInWords";
 
 /** At the field that was edited, where the refusal names another one. */
 export function SeeOther({ name, label }: { name: string; label: string }) {
-  const go = () => document.querySelector<HTMLElement>(`[data-testid="field-${CSS.escape(name)}"]`)?.focus();
+  // A vector's first component, where it is one.
+  const hooks = [name, `${name}-1`].map((each) => `[data-testid="field-${CSS.escape(each)}"]`);
+  const go = () => document.querySelector<HTMLElement>(hooks.join(", "))?.focus();
   return (
     <p className="parameter-problem" data-testid="problem-elsewhere">
       See{" "}
