@@ -11,14 +11,16 @@ from pathlib import Path
 
 import numpy as np
 
-from actuators.geometry.body import CAVITY, Body, Region
+from actuators.geometry.body import CAVITY, OUTSIDE, Body, Region
 from actuators.materials import Material, NeoHooke, Ogden
 from actuators.mechanics.continuum import kernel
 from actuators.mechanics.continuum.assembly import linear_system
+from actuators.mechanics.continuum.contact.build import interactions
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import open_solver
+from actuators.mechanics.scene import Plate, Scene
 from actuators.meshing import mesh_body
 
 
@@ -63,6 +65,23 @@ def exercise() -> None:
         found = solve_equilibrium(system, solver, system.rest(), target)
         if not isinstance(found, Equilibrium):
             raise RuntimeError(f"the kernels do not solve a small box: {found.reason}")
+    exercise_contact(materials[0])
+
+
+def exercise_contact(material: Material) -> None:
+    """Two blocks that touch each other and stand on a plate."""
+    side, height = np.array([0.0, 1.0]), np.array([0.0, 1.0, 1.0 + 1e-5, 2.0])
+    fill = np.array([0, OUTSIDE, 0], dtype=np.int8).reshape(1, 1, 3)
+    body = Body((side, side, height), fill, (Region("a", "a"),), lambda x: x, False)
+    mesh = mesh_body(body)
+    scene = Scene(pressure_to=1.0, plate=Plate(0.0))
+    contacts = interactions(mesh, [material], scene)
+    system = ContinuumSystem(mesh, [material], free=clamped(mesh), interactions=contacts)
+    pressed = system.linearise(system.rest(), 0.0)
+    if not all(touch.points for touch in pressed.touches):
+        raise RuntimeError("the kernels do not see two blocks touch")
+    for contact in contacts:
+        contact.contact_pressure(mesh.nodes)
 
 
 if __name__ == "__main__":
