@@ -43,7 +43,8 @@ class Obstacle:
 
     def add(self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None) -> Touch:
         """See :class:`Interaction`."""
-        if self._distance(positions).min() > self._law.onset:
+        bulge = float(np.ptp(positions[self._surface.faces], axis=1).max())
+        if self._distance(positions).min() > self._law.onset + bulge:
             return Touch()
         gaps = self._press(positions, residual, tangent)
         pressed = gaps < self._law.onset
@@ -53,6 +54,11 @@ class Obstacle:
     def gaps(self, positions: np.ndarray) -> np.ndarray:
         """(f, 9) distance [m] of the Gauss points, negative inside."""
         return self._press(positions, np.zeros_like(positions), None)
+
+    def depth(self, positions: np.ndarray) -> float:
+        """Deepest penetration of a node or a Gauss point [m], negative where there is none: an
+        edge beyond the last Gauss point may lie deeper than any of them."""
+        return -float(min(self.gaps(positions).min(), self._distance(positions).min()))
 
     def force(self, positions: np.ndarray) -> np.ndarray:
         """(3,) resultant on the obstacle [N]; that of the half for a half model."""
@@ -77,15 +83,13 @@ class Obstacle:
         return self._surface.nodal(positions, self.gaps(positions), self._law)
 
     def _distance(self, positions: np.ndarray) -> np.ndarray:
-        """(m,) distance of the surface's nodes, less what a face may bulge beyond its nodes."""
-        x = positions[self._surface.faces]
-        bulge = np.ptp(x, axis=1).max()
-        x = x.reshape(-1, 3)
+        """(m,) distance of the surface's nodes."""
+        x = positions[self._surface.faces].reshape(-1, 3)
         if self._kind == PLANE:
-            return x @ self._shape[:3] - self._shape[3] - bulge
+            return x @ self._shape[:3] - self._shape[3]
         apart = x - self._shape[3:6]
         apart = apart - np.outer(apart @ self._shape[:3], self._shape[:3])
-        return np.linalg.norm(apart, axis=1) - self._shape[6] - bulge
+        return np.linalg.norm(apart, axis=1) - self._shape[6]
 
     def _press(
         self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None

@@ -109,7 +109,7 @@ def _deepest(
     interaction: Obstacle | SelfContact,
 ) -> float:
     depth = [
-        -float(interaction.gaps(system.mesh.nodes + e.state.displacement).min())
+        interaction.depth(system.mesh.nodes + e.state.displacement)
         for e in points
         if e.iterations > 0
     ]

@@ -72,6 +72,10 @@ class SelfContact:
         self._look(positions)
         return self._gaps.copy()
 
+    def depth(self, positions: np.ndarray) -> float:
+        """Deepest penetration of a Gauss point [m], negative where there is none."""
+        return -float(self.gaps(positions).min())
+
     def largest_pressure(self, positions: np.ndarray) -> float:
         """Largest contact pressure at a Gauss point [Pa], per undeformed area."""
         return float(law_pressure(self.gaps(positions), self._law).max())
