@@ -69,7 +69,7 @@ def _preset_rows(theta: int, found: Answer, line: PathPoint) -> list[list[str]]:
             f"oblique-{theta}", f"{p}", number(found.at(p, "curvature_per_m")),
             number((line.curvature or 0) * share), number(found.at(p, "torsion_per_m")),
             number((line.torsion or 0) * share), percent(found.error_percent),
-            f"{found.outcome} at {found.column('pressure_kPa')[-1]:.3g}",
+            f"{found.outcome.replace('_', ' ')} at {found.column('pressure_kPa')[-1]:.3g}",
         ])  # fmt: skip
     return rows
 
