@@ -25,6 +25,10 @@ LARGEST_MOVE = 0.1
 """Largest displacement of an arc step, as a fraction of the body's size."""
 SMALLEST_MOVE = 1e-5
 """Below it, nothing continues the path."""
+RETRACED = 0.04
+"""A state nearer to the chord between two known ones than this share of it is no new one."""
+FOOTPRINT = 2000
+"""Unknowns by which states are told apart."""
 
 Solve = Callable[[State, Target], Equilibrium | Failure]
 
@@ -41,6 +45,7 @@ class Walk:
         self._size = float(np.ptp(system.mesh.nodes, axis=0).max())
         self._move = 0.0
         self.trail = list(trail[-3:])
+        self._known = [self._footprint(state) for state in self.trail]
         self.by_arc = False
         self.arrived = False
         self.reason = ""
@@ -78,7 +83,24 @@ class Walk:
 
     def _taken(self, found: Equilibrium) -> Equilibrium:
         self.trail = [*self.trail[-2:], found]
+        self._known.append(self._footprint(found))
         return found
+
+    def _footprint(self, found: Equilibrium) -> np.ndarray:
+        values = self._system.unknowns_of(found.state)
+        return values[:: max(1, len(values) // FOOTPRINT)]
+
+    def _retraces(self, found: Equilibrium) -> bool:
+        """Whether ``found`` lies on the part of the path that is known, its last step aside."""
+        known = np.array(self._known[:-1])
+        if len(known) < 2:
+            return False
+        chords = np.diff(known, axis=0)
+        there = self._footprint(found) - known[:-1]
+        length = np.einsum("ij,ij->i", chords, chords)
+        share = np.clip(np.einsum("ij,ij->i", there, chords) / np.maximum(length, 1e-300), 0, 1)
+        aside = there - share[:, None] * chords
+        return bool((np.einsum("ij,ij->i", aside, aside) < RETRACED**2 * length).any())
 
     def _advance_by_arc(
         self, volume: float | None, given_up: Callable[[float], bool]
@@ -101,10 +123,11 @@ class Walk:
             start = self._system.onward(before.state, last.state, ratio)
             guess = last.pressure + ratio * (last.pressure - before.pressure)
             found = self._solve(start, Target(guess, plane=plane))
-            if isinstance(found, Equilibrium):
+            if isinstance(found, Equilibrium) and not self._retraces(found):
                 self._move = ratio * length * growth(found.iterations)
                 return self._taken(self._stopped_at(last, found, volume))
-            self.reason = found.reason
+            turned_back = "the path turns back to states already found"
+            self.reason = found.reason if isinstance(found, Failure) else turned_back
             self._move = ratio * length / 2
             if given_up(0.0):
                 return None

@@ -105,6 +105,25 @@ def test_a_mooney_balloon_passes_its_maximum_and_its_minimum(by_arc: bool) -> No
     assert turns == pytest.approx([1.476, 3.143], abs=0.35)
 
 
+def test_a_walk_does_not_go_back_the_way_it_came() -> None:
+    system = sphere(NeoHooke(4e4), 5e-3, parts=2)
+    solver = open_solver(system.indptr, system.indices)
+    first = PathFollower(system, solver).follow(0.0, None).points[0]
+    walk = Walk(
+        system, lambda state, target: solve_equilibrium(system, solver, state, target),
+        [first], 0.2 * first.volume,
+    )  # fmt: skip
+    states = [first, *(walk.advance() for _ in range(7))]
+    walk.by_arc = True
+    ahead = walk.advance()
+    assert ahead is not None
+    assert states[-1] is not None
+    assert ahead.volume > states[-1].volume
+    walk.trail = [ahead, states[-1]]
+    assert walk.advance() is None
+    assert "already found" in walk.reason
+
+
 def test_a_soft_pneu_net_is_followed_where_its_volume_turns_back() -> None:
     """One chamber balloons and drains the others: volume control stalls at V/V0 of about
     3.45, where an independent engine came to 3.46."""
