@@ -79,6 +79,12 @@ def _ask(
                 "Leave it out, or use --rung fe.",
                 field=field, value=given, mend="Leave it out, or use --rung fe.",
             )  # fmt: skip
+    if accuracy is not None and mesh is not None:
+        raise QuestionError(
+            f"accuracy is {accuracy!r}, but the mesh is chosen already ({mesh}). Leave out one of "
+            "--accuracy and --mesh.",
+            field="accuracy", value=accuracy, mend="Leave out one of --accuracy and --mesh.",
+        )  # fmt: skip
     if constant is not None and rung != "energy":
         raise QuestionError(
             f"c is {constant!r}, but only the energy rung has this constant. "
@@ -121,6 +127,8 @@ _COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
     ("torsion/(1/m)", lambda p: p.to_document()["torsion_per_m"]),
     ("cavity/ml", lambda p: p.to_document()["cavity_volume_ml"]),
     ("plate/N", lambda p: p.to_document()["plate_force_N"]),
+    ("cylinder/N", lambda p: p.to_document()["cylinder_force_N"]),
+    ("contact/kPa", lambda p: p.to_document()["max_contact_pressure_kPa"]),
     ("stretch", lambda p: p.to_document()["max_principal_stretch"]),
 )
 
@@ -141,6 +149,9 @@ def _print(response: Response) -> None:
     )
     for sentence in (*([response.advice] if response.advice else []), *response.notes):
         click.echo(f"  {sentence}")
+    for effect in response.effects:
+        if effect.on and effect.name.endswith("contact"):
+            click.echo(f"  {effect.name.replace('_', ' ').capitalize()}: {effect.reason}")
     for sentence in response.design.assumptions():
         click.echo(f"  Assumed: {sentence}")
 

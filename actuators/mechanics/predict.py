@@ -101,7 +101,8 @@ def _beyond_pressure_and_weight(scene: Scene) -> dict[str, str]:
 
 
 def _beyond(rung: str, name: str, value: str) -> QuestionError:
-    mend = f"Use the rung fe, or leave {name} out."
+    instead = {"volume": "give a pressure", "pressure": "give a pressure above 0 kPa"}
+    mend = f"Use the rung fe, or {instead.get(name, f'leave {name} out')}."
     return QuestionError(
         f"{name} is {value}, which the rung {rung} cannot carry: it knows pressure"
         f"{' and weight' if rung == 'energy' else ''} only. {mend}",

@@ -34,7 +34,12 @@ def advice(path: Path, points: Sequence[PathPoint], scene: Scene) -> str | None:
             f"asked for): there the pressure has its {'minimum' if suction else 'maximum'}, and "
             f"beyond it the chambers would {beyond}. {change}"
         )
+    if path.outcome is Outcome.STALLED and not points:
+        return _overloaded(path, scene)
     if path.outcome is Outcome.STALLED:
+        if path.by_volume and scene.volume_to is not None:
+            farthest = _farthest(points, scene.volume_to)
+            reached = f"{farthest * 1e6:.4g} ml ({scene.volume_to * 1e6:.4g} ml were asked for)"
         less = "less change of volume" if path.by_volume else "a lower pressure"
         return (
             f"The computation found no further equilibrium beyond {reached}, and no proof "
@@ -49,6 +54,24 @@ def advice(path: Path, points: Sequence[PathPoint], scene: Scene) -> str | None:
             "Allow more time or ask for less accuracy."
         )
     return None
+
+
+def _farthest(points: Sequence[PathPoint], volume_to: float) -> float:
+    """The volume [m3] that came nearest to the one asked for."""
+    return min((p.cavity_volume or 0.0 for p in points), key=lambda v: abs(v - volume_to))
+
+
+def _overloaded(path: Path, scene: Scene) -> str:
+    """What to do where the body does not carry the loads that come before inflation."""
+    loads = ["its own weight"] if scene.gravity is not None else []
+    if scene.outside_pressure:
+        loads.append(f"{scene.outside_pressure / 1e3:.4g} kPa outside")
+    if scene.tip_force is not None:
+        loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
+    return (
+        f"No equilibrium was found under {' and '.join(loads) or 'no load'}, before any inflation "
+        f"({path.reason}). Lower these loads, or make the body stiffer."
+    )
 
 
 def path_notes(path: Path, parts: float) -> list[str]:
@@ -75,8 +98,9 @@ def path_notes(path: Path, parts: float) -> list[str]:
     if turned:
         notes.append(
             f"At {parts * turned[0] * 1e6:.4g} ml the volume itself turns back along the path: one "
-            "chamber runs away and drains the others. A real actuator leaps there to a later point "
-            "of the path with the same volume."
+            "chamber runs away and drains the others. A real actuator leaps there to another state "
+            "of this volume, which lies later on the path if it lies on it at all; the states "
+            "between are not seen in practice."
         )
     return notes
 

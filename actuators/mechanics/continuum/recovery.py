@@ -153,6 +153,11 @@ def _notes(answer: Answer, accuracy: float) -> list[str]:
             f"The accuracy asked for ({accuracy:.2g}) was not reached: the estimated error of "
             f"{_IN_WORDS[worst]} is {judged[worst]:.2g}, and {why}."
         )
+    if count:
+        notes.append(
+            "The largest stretch has no error estimate: it sits at the inner edges of the "
+            "chambers, where a sharp corner has no finite one, and grows with finer meshes."
+        )
     if answer.solved < count:
         notes.append(
             f"{answer.solved} of {count} points were solved on the finest mesh; the others are "
