@@ -33,7 +33,7 @@ export function ResultsPanel() {
         {now.instantProblem !== null ? (
           <Empty title="No instant answer">
             <span data-testid="no-instant">
-              The instant model cannot carry this load ({now.instantProblem.value}). Run 3D FE for it.
+              The instant model cannot carry this load: {now.instantProblem.value}. Run 3D FE for it.
             </span>
           </Empty>
         ) : refused ? (

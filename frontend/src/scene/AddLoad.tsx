@@ -30,9 +30,9 @@ const ADDITIONS: readonly Addition[] = [
   {
     name: "tip_force",
     title: "Force on the tip",
-    text: "Dead load on the free end",
+    text: "Dead load on the free end, a hanging weight at first",
     there: (loads) => loads.tipForce !== null,
-    first: () => ({ tipForce: [0, 0, 0.05] }),
+    first: () => ({ tipForce: [0, 0, -0.05] }),
   },
   {
     name: "outside_pressure",
