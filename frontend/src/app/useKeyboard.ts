@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 
-import { answers, isRefused } from "../workbench/answers";
+import { hindrance } from "../workbench/hindrance";
 import { isChanged } from "../workbench/timeline";
 import { frameIndex, scrubber, scrubToFrame, togglePlay } from "../workbench/scrubber";
 import { bench, redo, undo } from "../workbench/workbench";
@@ -21,8 +21,9 @@ function takesSpace(target: EventTarget | null): boolean {
 function openSave(): void {
   const present = bench.get()?.present;
   if (!present) return;
-  if (isRefused(answers.get())) {
-    showToast({ tone: "info", text: "Correct the marked parameter first." });
+  const hindered = hindrance();
+  if (hindered !== null) {
+    showToast({ tone: "info", text: hindered });
   } else if (present.origin.kind === "version" && !isChanged(present)) {
     showToast({ tone: "info", text: `Nothing has changed since v${present.origin.number}.` });
   } else layer.set("save");

@@ -8,6 +8,7 @@ import { jobSentence, meshOrAccuracy, stateInWords } from "../results/words";
 import { shownJob } from "../results/shown";
 import { Button, IconButton } from "../ui/Button";
 import { formatQuantity, formatSeconds } from "../ui/numbers";
+import { dropDrafts } from "../ui/drafts";
 import { showToast } from "../ui/toasts";
 import { setViewer } from "../viewer/settings";
 import { openVersion } from "../workbench/opening";
@@ -113,6 +114,7 @@ function ShowButton({ job, shown }: { job: Job; shown: boolean }) {
       pressed={shown}
       data-testid={`show-${job.id}`}
       onClick={() => {
+        dropDrafts();
         shownJob.set(shown ? { kind: "none" } : { kind: "job", id: job.id });
         setViewer({ source: shown ? "instant" : "fe" });
       }}

@@ -12,7 +12,8 @@ import { Icon } from "../ui/Icon";
 import { Segmented } from "../ui/Segmented";
 import { Select } from "../ui/Select";
 import { showToast } from "../ui/toasts";
-import { answers, isRefused } from "../workbench/answers";
+import { setViewer } from "../viewer/settings";
+import { useHindrance } from "../workbench/hindrance";
 import { ensureSaved } from "../workbench/opening";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
@@ -49,10 +50,11 @@ export function RunControl() {
     if (!timeline) return false;
     return timeline.present.origin.kind === "preset" || isChanged(timeline.present);
   });
-  const refused = usePick(answers, isRefused);
+  const hindered = useHindrance();
   const { data: health } = useHealth();
   const run = useMutation({
     mutationFn: () => submit(accuracy, mesh),
+    onMutate: () => setViewer({ source: "newest" }),
     onSuccess: (job) => {
       queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
       shownJob.set({ kind: "newest" });
@@ -79,13 +81,12 @@ export function RunControl() {
       <Button
         look="primary"
         icon="play"
-        disabled={run.isPending || refused}
+        disabled={run.isPending || hindered !== null}
         title={
-          refused
-            ? "Correct the marked parameter first"
-            : needsSaving
-              ? "Saves a version, then solves it by 3D finite elements"
-              : "Solves this version by 3D finite elements"
+          hindered ??
+          (needsSaving
+            ? "Saves a version, then solves it by 3D finite elements"
+            : "Solves this version by 3D finite elements")
         }
         data-testid="run-fe"
         onClick={() => run.mutate()}

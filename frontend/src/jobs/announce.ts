@@ -3,6 +3,7 @@ import { onJobEnd } from "../api/live";
 import type { Job } from "../api/types";
 import { shownJob } from "../results/shown";
 import { outcomeInWords } from "../results/words";
+import { dropDrafts } from "../ui/drafts";
 import { showToast } from "../ui/toasts";
 import { setViewer } from "../viewer/settings";
 import { openVersion } from "../workbench/opening";
@@ -18,6 +19,7 @@ function look(job: Job): void {
     openVersion(job.version_id);
     return;
   }
+  dropDrafts();
   shownJob.set({ kind: "job", id: job.id });
   setViewer({ source: "fe" });
 }

@@ -35,6 +35,7 @@ export function NumberControl({ parameter, value, opened, invalid, describedBy }
         step={reach.step}
         unit={parameter.unit}
         label={parameter.label}
+        place={parameter.name}
         invalid={invalid}
         integer={parameter.kind === "count"}
         describedBy={describedBy}

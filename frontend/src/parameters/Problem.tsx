@@ -1,7 +1,9 @@
 import { useQuery } from "@tanstack/react-query";
 
 import { families } from "../api/queries";
+import { usePick } from "../api/store";
 import type { ProblemDetail } from "../api/types";
+import { unreadable } from "../ui/drafts";
 import { problemInWords } from "./problemInWords";
 
 /** At the field that was edited, where the refusal names another one. */
@@ -19,13 +21,16 @@ export function SeeOther({ name, label }: { name: string; label: string }) {
   );
 }
 
-/** What is wrong with a parameter and how to mend it. */
+/** What is wrong with a parameter and how to mend it; silent while a field of it says that its text
+ * is no number, for then it is about a value that no longer stands there. */
 export function Problem({ id, problem, name }: { id: string; problem: ProblemDetail; name: string }) {
   const { data: list = [] } = useQuery(families);
+  const outdated = usePick(unreadable, (fields) => fields.some((field) => field.said && field.place === name));
   const { message, mend } = problemInWords(
     problem,
     list.flatMap((family) => family.parameters),
   );
+  if (outdated) return null;
   return (
     <p className="parameter-problem" id={id} role="alert" data-testid={`problem-${name}`}>
       {message}

@@ -88,6 +88,7 @@ export function NumberRow(props: NumberRowProps) {
         step={step}
         unit={unit}
         label={label}
+        place={place}
         invalid={props.problemAt(place) !== null}
         describedBy={props.problemAt(place) ? `${place}-problem` : undefined}
         onCommit={(next) => {
@@ -130,6 +131,7 @@ export function VectorRow(props: VectorRowProps) {
           unit={unit}
           prefix={axis}
           label={`${label}, ${axis}`}
+          place={place}
           invalid={problem !== null}
           describedBy={problem ? `${place}-problem` : undefined}
           onCommit={(next) => {

@@ -5,7 +5,7 @@ import { renameDesign } from "../history/rename";
 import { Button, IconButton } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { InlineName } from "../ui/InlineName";
-import { answers, isRefused } from "../workbench/answers";
+import { useHindrance } from "../workbench/hindrance";
 import type { Snapshot } from "../workbench/timeline";
 import { isChanged } from "../workbench/timeline";
 import { bench, discardChanges, redo, setName, undo } from "../workbench/workbench";
@@ -83,15 +83,15 @@ function Title({ present }: { present: Snapshot }) {
 }
 
 function SaveButton({ present }: { present: Snapshot | null }) {
-  const refused = usePick(answers, isRefused);
+  const hindered = useHindrance();
   const savable = present !== null && (present.origin.kind === "preset" || isChanged(present));
-  const reason = refused ? "Correct the marked parameter first" : "Nothing has changed since this version";
+  const title = hindered ?? (savable ? "Save a version (Ctrl+S)" : "Nothing has changed since this version");
   return (
     <Button
       look="primary"
       icon="save"
-      disabled={!savable || refused}
-      title={savable && !refused ? "Save a version (Ctrl+S)" : reason}
+      disabled={!savable || hindered !== null}
+      title={title}
       data-testid="save"
       onClick={() => layer.set("save")}
     >

@@ -1,7 +1,8 @@
 // @vitest-environment jsdom
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, describe, expect, it, vi } from "vitest";
 
+import { dropDrafts, unreadable } from "./drafts";
 import { NumberField } from "./NumberField";
 
 afterEach(cleanup);
@@ -61,6 +62,30 @@ describe("number field", () => {
     fireEvent.change(input, { target: { value: "7" } });
     fireEvent.keyDown(input, { key: "Enter" });
     expect(commit.mock.calls).toEqual([[7]]);
+  });
+
+  it("is known to hold no number from the first letter, and whether it says so", () => {
+    const input = field(vi.fn());
+    fireEvent.change(input, { target: { value: "thick" } });
+    const words = "Write a number in mm.";
+    expect(unreadable.get()).toEqual([{ label: "Bottom layer", place: undefined, words, said: false }]);
+    fireEvent.keyDown(input, { key: "Enter" });
+    expect(unreadable.get().map((each) => each.said)).toEqual([true]);
+    fireEvent.change(input, { target: { value: "6" } });
+    expect(unreadable.get()).toEqual([]);
+    fireEvent.change(input, { target: { value: "thick" } });
+    cleanup();
+    expect(unreadable.get()).toEqual([]);
+  });
+
+  it("drops what was typed when something else is opened, the number being the same there", () => {
+    const input = field(vi.fn());
+    fireEvent.change(input, { target: { value: "thick" } });
+    fireEvent.blur(input);
+    act(dropDrafts);
+    expect(input.value).toBe("4");
+    expect(screen.queryByRole("alert")).toBeNull();
+    expect(unreadable.get()).toEqual([]);
   });
 
   it("takes a quantity with a unit of its kind", () => {

@@ -1,5 +1,7 @@
-import { useId, useState } from "react";
+import { useEffect, useId, useState } from "react";
 
+import { useStore } from "../api/store";
+import { markUnreadable, occasion } from "./drafts";
 import { formatNumber } from "./numbers";
 import { parseQuantity, refusalOf } from "./quantity";
 
@@ -10,6 +12,8 @@ interface NumberFieldProps {
   /** Shown before the number in place of the unit after it: the axis of a component. */
   prefix?: string;
   label: string;
+  /** Entry that the field edits, where there is more to say about it than the field does. */
+  place?: string;
   invalid?: boolean;
   integer?: boolean;
   /** Id of the element that says what is wrong. */
@@ -19,10 +23,11 @@ interface NumberFieldProps {
   testId?: string;
 }
 
-/** What is being typed, over which value, and whether it was tried and could not be taken. */
+/** What is being typed, over which value and on which occasion, and whether it was tried and could not be taken. */
 interface Draft {
   text: string;
   over: number;
+  on: number;
   refused: boolean;
 }
 
@@ -31,11 +36,18 @@ interface Draft {
 export function NumberField(props: NumberFieldProps) {
   const [kept, setDraft] = useState<Draft | null>(null);
   const id = useId();
-  // A value that came from elsewhere (slider, undo, another design) ends what was being typed.
-  const draft = kept?.over === props.value ? kept : null;
+  const on = useStore(occasion);
+  // A value that came from elsewhere (slider, undo) ends what was being typed, and so does another design.
+  const draft = kept?.over === props.value && kept.on === on ? kept : null;
   const shown = draft?.text ?? formatNumber(props.value);
   const refusal = draft && refusalOf(draft.text, props.unit, props.integer ?? false);
   const said = draft?.refused ? refusal : null;
+  const { label, place } = props;
+
+  useEffect(() => {
+    if (refusal === null) return;
+    return markUnreadable({ label, place, words: refusal, said: said !== null });
+  }, [label, place, refusal, said]);
 
   function take(): void {
     if (!draft) return;
@@ -74,7 +86,7 @@ export function NumberField(props: NumberFieldProps) {
         }}
         onChange={(event) => {
           // Once refused, the words stand until the text is mended.
-          setDraft({ text: event.currentTarget.value, over: props.value, refused: draft?.refused ?? false });
+          setDraft({ text: event.currentTarget.value, over: props.value, on, refused: draft?.refused ?? false });
         }}
         onBlur={take}
         onKeyDown={(event) => {

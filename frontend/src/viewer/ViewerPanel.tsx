@@ -12,6 +12,7 @@ import { answers } from "../workbench/answers";
 import { ColourLegend } from "./ColourLegend";
 import { ScrubBar } from "./ScrubBar";
 import { colourFor, setViewer, viewerSettings } from "./settings";
+import { useSource } from "./source";
 import { useViewFeed } from "./useViewFeed";
 import { openView, setCamera, view, type Camera, type Colour } from "./view";
 
@@ -41,13 +42,6 @@ export function ViewerPanel() {
       <ScrubBar />
     </section>
   );
-}
-
-/** What the view shows: finite elements only where there is a result. */
-function useSource(): "instant" | "fe" {
-  const settings = useStore(viewerSettings);
-  const fe = useShownFe();
-  return settings.source === "fe" && fe ? "fe" : "instant";
 }
 
 function Toolbar() {

@@ -3,7 +3,8 @@ import { Store } from "../api/store";
 import type { Colour } from "./view";
 
 export interface ViewerSettings {
-  readonly source: "instant" | "fe";
+  /** As chosen, or since a job was run: its answer, while it is one to what is on the bench. */
+  readonly source: "instant" | "fe" | "newest";
   readonly colour: Colour;
   readonly undeformed: boolean;
 }
@@ -30,6 +31,6 @@ export function setViewer(change: Partial<ViewerSettings>): void {
 }
 
 /** Fields on the surface come from finite elements only; the instant answer has displacements. */
-export function colourFor(colour: Colour, source: ViewerSettings["source"]): Colour {
+export function colourFor(colour: Colour, source: "instant" | "fe"): Colour {
   return source === "instant" && colour !== "none" ? "displacement" : colour;
 }

@@ -7,6 +7,7 @@ import { answers } from "../workbench/answers";
 import { sceneOf } from "../workbench/loads";
 import { frameIndex, scrubber } from "../workbench/scrubber";
 import { colourFor, viewerSettings } from "./settings";
+import { useSource } from "./source";
 import { openView, setDark, showContent, showFrame, view } from "./view";
 
 /** Keeps the room in step with the bench, the settings, the scrubber and the theme. */
@@ -16,8 +17,9 @@ export function useViewFeed(): void {
   // The last design that was answered: one that is refused has no body to show.
   const answered = usePick(answers, (now) => now.answered);
   const feJobId = useShownFe()?.job.id ?? null;
-  const jobId = settings.source === "fe" ? feJobId : null;
-  const colour = colourFor(settings.colour, jobId === null ? "instant" : "fe");
+  const source = useSource();
+  const jobId = source === "fe" ? feJobId : null;
+  const colour = colourFor(settings.colour, source);
   const index = usePick(scrubber, frameIndex);
   const { theme } = useTheme();
   const viewId = usePick(view, (state) => state.viewId);

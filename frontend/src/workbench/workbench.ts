@@ -1,5 +1,6 @@
 /** The design on the bench: one timeline, kept in the browser's storage while it is edited. */
 import { Store } from "../api/store";
+import { dropDrafts } from "../ui/drafts";
 import { markInput } from "./latency";
 import type { DesignDocument, Origin, Value, Work } from "./document";
 import type { Loads } from "./loads";
@@ -47,6 +48,7 @@ export function lay(nextSlot: string, timeline: Timeline): void {
   persist();
   slot = nextSlot;
   lastEdited.set(null);
+  dropDrafts();
   bench.set(timeline);
 }
 
@@ -77,10 +79,12 @@ export function setOrigin(origin: Origin): void {
 }
 
 export function discardChanges(): void {
+  dropDrafts();
   change((timeline) => timelines.edit(timeline, timeline.present.baseline, "discard", 0));
 }
 
 export function replaceDesign(work: Work, origin: Origin): void {
+  dropDrafts();
   change((timeline) => timelines.replace(timeline, { work, baseline: work, origin }));
 }
 
@@ -91,12 +95,14 @@ export function endGesture(): void {
 export function undo(): void {
   markInput();
   lastEdited.set(null);
+  dropDrafts();
   change(timelines.undo);
 }
 
 export function redo(): void {
   markInput();
   lastEdited.set(null);
+  dropDrafts();
   change(timelines.redo);
 }
 
