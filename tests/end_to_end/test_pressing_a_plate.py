@@ -26,8 +26,18 @@ def test_add_a_plate_solve_and_see_its_force(studio: Run, page: Page) -> None:
     set_number(page, "plate.gap", "-1")
     expect(page.get_by_test_id("problem-plate.gap")).to_contain_text("between 0 and")
     expect(page.get_by_test_id("run-fe")).to_be_disabled()
+    # What cannot be read is no value: only that is said, and nothing is kept or computed meanwhile.
+    set_number(page, "plate.gap", "abc")
+    expect(page.get_by_test_id("parameter-plate.gap").get_by_role("alert")).to_have_text(
+        "Write a number in mm."
+    )
     page.get_by_test_id("undo").click()
     expect(page.get_by_test_id("problem-plate.gap")).to_have_count(0)
+    expect(page.get_by_test_id("field-plate.gap")).to_have_value("5")
+    set_number(page, "plate.gap", "abc")
+    for button in ("run-fe", "save"):
+        expect(page.get_by_test_id(button)).to_be_disabled()
+        expect(page.get_by_test_id(button)).to_have_attribute("title", re.compile("^Gap cannot"))
     set_number(page, "plate.gap", "1")
 
     # Solved on the coarsest mesh, which the accuracy then has no say in.
@@ -41,7 +51,8 @@ def test_add_a_plate_solve_and_see_its_force(studio: Run, page: Page) -> None:
     # what stands on a plate bends less than what is free
     assert number(page, "fe-bending_angle") < number(page, "bending_angle")
     expect(page.get_by_test_id("chart-force")).to_be_visible()
-    page.get_by_test_id("viewer-source").get_by_text("FE").click()
+    # the view has turned to the answer, which the instant one leaves the plate out of
+    expect(page.get_by_test_id("viewer-source").get_by_label("FE")).to_be_checked()
     page.get_by_test_id("viewer-colour").get_by_text("Contact").click()
     expect(page.get_by_test_id("viewer-legend")).to_contain_text("Contact pressure")
     page.wait_for_timeout(4000)
