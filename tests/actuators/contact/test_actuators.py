@@ -13,7 +13,7 @@ from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.path import PathFollower
 from actuators.mechanics.continuum.tracer import Path
 from actuators.mechanics.obstacles import Cylinder, Plate
-from actuators.mechanics.response import Effect, Response
+from actuators.mechanics.response import Effect, Outcome, Response
 from actuators.mechanics.scene import Scene
 from actuators.meshing import mesh_body
 
@@ -122,3 +122,14 @@ def test_a_cylinder_in_the_way_is_pressed_and_one_inside_the_body_refused() -> N
     assert found.path[-1].plate_force is None
     with pytest.raises(QuestionError, match="undeformed body"):
         solve(SLAB, Scene(pressure_to=4e3, cylinder=Cylinder(5e-3, (30e-3, 0.0, 0.0))))
+
+
+def test_large_slanted_faces_are_not_taken_for_the_curled_up_end() -> None:
+    """At 15 degrees the faces of the end pieces reach over half the bar: sides and underside of
+    one corner are near each other without ever meeting."""
+    with_contact, without = (
+        solve(preset("oblique-15").design, Scene(0.0, self_contact=choice), mesh="coarse")
+        for choice in ("auto", "off")
+    )
+    assert with_contact.outcome is Outcome.CONVERGED
+    assert with_contact.path[0].tip == pytest.approx(without.path[0].tip, rel=1e-6)

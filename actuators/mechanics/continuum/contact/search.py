@@ -9,8 +9,8 @@ LEVEL = -1e-6
 """How far behind each other's plane, over their distance, two faces of the undeformed body may lie:
 what lies further behind is the other side of the same wall."""
 FAR = 2.0
-"""Distance along the undeformed body [its height] beyond which faces may meet whatever their
-places were: by curling up."""
+"""Distance between faces of the undeformed body [its height] beyond which they may meet whatever
+their places were: by curling up."""
 
 
 def frames(positions: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -28,7 +28,7 @@ class PairSearch:
 
     def __init__(self, nodes: np.ndarray, faces: np.ndarray, height: float) -> None:
         self._faces, self._far = faces, FAR * height
-        self._middle, self._normal, _ = frames(nodes, faces)
+        self._middle, self._normal, self._radius = frames(nodes, faces)
 
     def near(self, positions: np.ndarray, reach: float) -> np.ndarray:
         """(k, 2) pairs whose enclosing spheres are closer than ``reach``; each once, in order."""
@@ -49,4 +49,5 @@ class PairSearch:
         before = np.einsum("ki,ki->k", apart, self._normal[a]) > LEVEL * distance
         before &= np.einsum("ki,ki->k", -apart, self._normal[b]) > LEVEL * distance
         common = (self._faces[a][:, :, None] == self._faces[b][:, None, :]).any(axis=(1, 2))
-        return (before | (distance > self._far)) & ~common
+        between = distance - self._radius[a] - self._radius[b]
+        return (before | (between > self._far)) & ~common
