@@ -50,7 +50,8 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     states = [e.state for e in answer.path.points]
     shape = rod_shape(mesh, states)
     strain = StrainRecovery(system)
-    largest = np.array([_largest_stretches(system, strain.at_points(s)[0]) for s in states])
+    at_points = [strain.at_points(state) for state in states]
+    largest = np.array([_largest_stretches(system, stretch) for stretch, _ in at_points])
     touching = contact_report(system, answer.path.points)
     points = _points(answer, shape, largest, touching)
     note = None
@@ -73,7 +74,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         path=points,
         advice=advice(path, points, scene),
         centreline=shape.centreline,
-        surface=surface_fields(system, states, strain),
+        surface=surface_fields(system, states, strain, at_points),
         error_estimate=answer.errors.get("tip"),
         error_estimates=answer.errors,
         limit_pressure=path.limit.pressure if path.limit is not None else None,

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from actuators.materials import HyperelasticLaw, MooneyRivlin, Ogden, Yeoh
 from actuators.mechanics.continuum.kernel.shape import cube_shape, gauss_cube
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.mechanics.response import SurfaceFields
@@ -61,7 +60,8 @@ class StrainRecovery:
         stress = np.repeat((state.pressure @ _PRESSURE.T)[..., None], 3, axis=-1)
         for number, material in enumerate(self._system.materials):
             own = self._system.mesh.region == number
-            slope = _isochoric_slope(material.law, log[own] - volume[own] / 3)
+            slope = material.law.logarithmic_slope(log[own] - volume[own] / 3)
+            slope -= slope.mean(axis=-1, keepdims=True)
             stress[own] += slope / np.exp(volume[own])
         return np.exp(log), stress
 
@@ -75,35 +75,19 @@ class StrainRecovery:
         return total / self._share
 
 
-def _isochoric_slope(law: HyperelasticLaw, log: np.ndarray) -> np.ndarray:
-    """dW/dlog(l) of isochoric stretches exp(``log``), shape (..., 3) [Pa]: J times the deviatoric
-    Cauchy stress."""
-    if isinstance(law, Ogden):
-        slope = sum((m * np.expm1(alpha * log) for m, alpha in law.work_terms), np.zeros_like(log))
-    elif isinstance(law, MooneyRivlin):
-        square, inverse = np.exp(2 * log), np.exp(-2 * log)
-        first, second = law.slopes(
-            square.sum(axis=-1, keepdims=True) - 3, inverse.sum(axis=-1, keepdims=True) - 3
-        )
-        slope = 2 * (first * square - second * inverse)
-    else:
-        square = np.exp(2 * log)
-        x = square.sum(axis=-1, keepdims=True) - 3
-        yeoh = Yeoh(*law.coefficients)
-        slope = 2 * (yeoh.c10 + x * (2 * yeoh.c20 + x * 3 * yeoh.c30)) * square
-    return slope - slope.mean(axis=-1, keepdims=True)
-
-
 def surface_fields(
-    system: ContinuumSystem, states: Sequence[State], recovery: StrainRecovery
+    system: ContinuumSystem,
+    states: Sequence[State],
+    recovery: StrainRecovery,
+    at_points: Sequence[tuple[np.ndarray, np.ndarray]],
 ) -> SurfaceFields:
-    """Fields of all states on the outside and in the cavity; a half model is completed."""
+    """Fields of all states on the outside and in the cavity; a half model is completed.
+    ``at_points``: stretch and stress of each state, as ``recovery`` gives them."""
     mesh = system.mesh
     nodes, triangles = _surface(mesh)
     displacement = np.array([s.displacement[nodes] for s in states]).reshape(-1, len(nodes), 3)
     stretch, stress = np.empty((2, len(states), len(nodes)))
-    for row, state in enumerate(states):
-        point_stretch, point_stress = recovery.at_points(state)
+    for row, (point_stretch, point_stress) in enumerate(at_points):
         stretch[row] = np.maximum(recovery.at_nodes(point_stretch)[nodes], 1.0)
         stress[row] = recovery.at_nodes(point_stress)[nodes]
     contact = _contact_pressure(system, states, nodes)
