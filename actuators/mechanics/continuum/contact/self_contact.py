@@ -12,7 +12,7 @@ from actuators.mechanics.continuum.contact.surface import (
     ContactSurface,
     law_pressure,
 )
-from actuators.mechanics.continuum.kernel.contact import add_facing, find_opposite
+from actuators.mechanics.continuum.kernel.facing import add_facing, find_opposite
 
 REACH = 3e-3
 """Distance [body sizes] at which opposite faces get their place in the matrix."""

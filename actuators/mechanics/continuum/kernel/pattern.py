@@ -91,6 +91,19 @@ def upper_rows(
     return indptr, indices
 
 
+@njit(cache=True)
+def place_in_row(indptr: np.ndarray, indices: np.ndarray, row: int, column: int) -> int:
+    """Where ``column`` stands in ``row``, or would have to."""
+    low, high = indptr[row], indptr[row + 1]
+    while low < high:
+        middle = (low + high) // 2
+        if indices[middle] < column:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
 @njit(cache=True, parallel=True)
 def scatter_map(
     outer: np.ndarray, dof: np.ndarray, indptr: np.ndarray, indices: np.ndarray
@@ -107,14 +120,7 @@ def scatter_map(
                 place = -1
                 if r >= 0 and c >= 0:
                     row, column = min(r, c), max(r, c)
-                    low, high = indptr[row], indptr[row + 1]
-                    while low < high:
-                        middle = (low + high) // 2
-                        if indices[middle] < column:
-                            low = middle + 1
-                        else:
-                            high = middle
-                    place = low
+                    place = place_in_row(indptr, indices, row, column)
                 places[e, t] = place
                 t += 1
     return places
