@@ -12,7 +12,7 @@ from typing import Literal
 
 from actuators.errors import InputError
 
-Dimension = Literal["length", "angle", "pressure", "fraction"]
+Dimension = Literal["length", "angle", "pressure", "fraction", "time"]
 
 UNITS: Mapping[Dimension, Mapping[str, float]] = {
     "length": {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "um": 1e-6, "µm": 1e-6, "in": 0.0254},
@@ -22,6 +22,7 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = {
         "psi": 6894.757293168361,
     },
     "fraction": {"%": 0.01},
+    "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
 }  # fmt: skip
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)

@@ -148,6 +148,12 @@ def _unknown(key: str, value: Any, known: Mapping[str, Parameter]) -> DesignErro
 def _translate(error: ValidationError) -> DesignError:
     first = error.errors()[0]
     field = str(first["loc"][0]) if first["loc"] else "design"
+    if first["type"] == "literal_error":
+        choices = str(first.get("ctx", {}).get("expected", ""))
+        return DesignError(
+            f"{field} is {first['input']!r}, which is no choice. Use {choices}.",
+            field=field, value=repr(first["input"]), mend=f"Use {choices}.",
+        )  # fmt: skip
     return DesignError(
         f"{field} is {first['input']!r}: {first['msg']}.",
         field=field, value=repr(first["input"]), mend=f"{first['msg']}.",

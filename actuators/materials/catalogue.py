@@ -10,10 +10,11 @@ from collections.abc import Mapping
 from actuators.errors import DesignError
 from actuators.materials.law import HyperelasticLaw
 from actuators.materials.linear import LinearElastic
-from actuators.materials.material import INCOMPRESSIBLE, Material
+from actuators.materials.material import Material
 from actuators.materials.mooney_rivlin import MooneyRivlin
 from actuators.materials.neo_hooke import NeoHooke
 from actuators.materials.ogden import Ogden
+from actuators.materials.variants import varied
 from actuators.materials.yeoh import Yeoh
 
 kPa, MPa = 1e3, 1e6
@@ -145,12 +146,13 @@ CATALOGUE: Mapping[str, Material] = {record.key: record for record in _RECORDS}
 
 
 def material(key: str, *, field: str = "material") -> Material:
-    """The record called ``key``; with :data:`INCOMPRESSIBLE` after the key, the exactly
-    incompressible one. Raises :class:`DesignError` about ``field``, naming near ones."""
-    plain = key.removesuffix(INCOMPRESSIBLE)
+    """The record called ``key``; with :data:`.INCOMPRESSIBLE` after the key, the exactly
+    incompressible one; with other changes after it, see :mod:`variants`. Raises
+    :class:`DesignError` about ``field``, naming near ones."""
+    plain, changed, changes = key.partition("@")
     if plain in CATALOGUE:
         record = CATALOGUE[plain]
-        return record if plain == key else record.incompressible
+        return varied(record, changes, field=field) if changed else record
     near = ", ".join(difflib.get_close_matches(key, CATALOGUE, n=3, cutoff=0.4) or CATALOGUE)
     raise DesignError(
         f"{field} is {key!r}, which is not in the catalogue of materials. Try {near}.",

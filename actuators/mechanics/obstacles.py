@@ -71,9 +71,16 @@ class Cylinder:
 def _unit(direction: Triple, field: str) -> Triple:
     size = math.hypot(*direction)
     if not math.isfinite(size) or size == 0.0:
+        across = field == "cylinder.axis"
+        mend = (
+            "Use for example [0, 1, 0]: a bar across the body."
+            if across
+            else "Use for example [0, 0, 1]: a plate below the body."
+        )
         raise SceneError(
-            f"{field} is {direction}; it must be a direction: three finite numbers, not all 0.",
-            field=field, value=str(direction), mend="Use for example (0, 0, 1).",
+            f"{field} is {list(direction)}; it must be a direction: three finite numbers, not all "
+            f"0. {mend}",
+            field=field, value=str(direction), mend=mend,
         )  # fmt: skip
     if abs(size - 1) < 1e-12:
         return direction

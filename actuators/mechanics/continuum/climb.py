@@ -40,7 +40,7 @@ class Climb:
         """Solve the anchor on finer and finer meshes until the estimated errors are below
         ``accuracy``; then the whole path on the last one."""
         answer = Answer(coarse.system, path, {}, path.iterations, None, len(path.points))
-        if not path.points or path.outcome in (Outcome.CANCELLED, Outcome.BUDGET_SPENT):
+        if path.loads < 1.0 or path.outcome in (Outcome.CANCELLED, Outcome.BUDGET_SPENT):
             return answer
         shared = shared_points(path)
         before = Anchor(coarse.system, path.points[shared - 1])

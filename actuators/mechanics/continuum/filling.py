@@ -10,6 +10,9 @@ from actuators.mechanics.response import Outcome
 FIRST_VOLUME_STEP = 0.05
 """Fraction of the way to a volume."""
 MOST_STEPS = 400
+TURNED_BACK = 0.5
+"""Part of the way to the farthest volume that a path may go back on before it is left at that: a
+chamber that runs away takes less from the others; a path that goes on back is another one."""
 
 
 def fill(
@@ -26,6 +29,7 @@ def fill(
     sign = math.copysign(1.0, way)
     walk = Walk(tracer.system, tracer.solve, history, sign * step)
     visited: list[Equilibrium] = []
+    farthest = first.volume
     for _ in range(MOST_STEPS):
         last = walk.trail[-1]
         goal = stops[0] if stops else volume_to
@@ -42,6 +46,13 @@ def fill(
             if stops is None and path.limit is not last:
                 _insert(visited, path.limit, last, sign)
         tracer.told(found)
+        farthest = sign * max(sign * farthest, sign * found.volume)
+        if sign * (farthest - found.volume) > TURNED_BACK * sign * (farthest - first.volume):
+            path.outcome = Outcome.STALLED
+            path.reason = "the volume turns back for good: a chamber has run away"
+            visited.append(found)
+            path.by_arc += 1
+            return visited
         reached = walk.arrived
         if stops is None or reached:
             visited.append(found)

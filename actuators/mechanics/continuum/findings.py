@@ -1,77 +1,19 @@
 """What a designer must read beside the numbers: effects, notes, advice when a path ends early."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from actuators.materials import Material
 from actuators.mechanics.continuum.path import Path
-from actuators.mechanics.response import Effect, Outcome, PathPoint
+from actuators.mechanics.effects import Decision, EffectPlan
+from actuators.mechanics.effects.words import left_out_note
+from actuators.mechanics.response import Effect, PathPoint
 from actuators.mechanics.scene import Scene
 
 VISIBLE_OVERLAP = 0.01e-3
 """Overlaps below this [m] are taken for touching."""
-
-
-def advice(path: Path, points: Sequence[PathPoint], scene: Scene) -> str | None:
-    """One or two sentences on a path that did not reach its end."""
-    reached = f"{points[-1].pressure / 1e3:.3g} kPa" if points else "0 kPa"
-    if points and path.by_volume:
-        reached = f"{1e6 * (points[-1].cavity_volume or 0.0):.4g} ml ({reached})"
-    suction = (scene.pressure_to or 0.0) < 0
-    if path.outcome is Outcome.LIMIT_POINT:
-        asked = (scene.pressure_to or 0.0) / 1e3
-        beyond = "collapse" if suction else "balloon"
-        change = (
-            "Stay above it, or thicken roof and walls."
-            if suction
-            else "Stay below it, thicken roof and walls, or choose a stiffer or strain-stiffening "
-            "material."
-        )
-        return (
-            f"No equilibrium {'below' if suction else 'above'} {reached} ({asked:.4g} kPa were "
-            f"asked for): there the pressure has its {'minimum' if suction else 'maximum'}, and "
-            f"beyond it the chambers would {beyond}. {change}"
-        )
-    if path.outcome is Outcome.STALLED and not points:
-        return _overloaded(path, scene)
-    if path.outcome is Outcome.STALLED:
-        if path.by_volume and scene.volume_to is not None:
-            farthest = _farthest(points, scene.volume_to)
-            reached = f"{farthest * 1e6:.4g} ml ({scene.volume_to * 1e6:.4g} ml were asked for)"
-        less = "less change of volume" if path.by_volume else "a lower pressure"
-        return (
-            f"The computation found no further equilibrium beyond {reached}, and no proof "
-            f"that there is none ({path.reason}). Ask for {'less suction' if suction else less}, "
-            "or check the design for very thin walls."
-        )
-    if path.outcome is Outcome.CANCELLED:
-        return f"Cancelled at {reached}; the part found so far is kept."
-    if path.outcome is Outcome.BUDGET_SPENT:
-        return (
-            f"The time allowed was spent at {reached}; the part found so far is kept. "
-            "Allow more time or ask for less accuracy."
-        )
-    return None
-
-
-def _farthest(points: Sequence[PathPoint], volume_to: float) -> float:
-    """The volume [m3] that came nearest to the one asked for."""
-    return min((p.cavity_volume or 0.0 for p in points), key=lambda v: abs(v - volume_to))
-
-
-def _overloaded(path: Path, scene: Scene) -> str:
-    """What to do where the body does not carry the loads that come before inflation."""
-    loads = ["its own weight"] if scene.gravity is not None else []
-    if scene.outside_pressure:
-        loads.append(f"{scene.outside_pressure / 1e3:.4g} kPa outside")
-    if scene.tip_force is not None:
-        loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
-    return (
-        f"No equilibrium was found under {' and '.join(loads) or 'no load'}, before any inflation "
-        f"({path.reason}). Lower these loads, or make the body stiffer."
-    )
 
 
 def path_notes(path: Path, parts: float) -> list[str]:
@@ -154,47 +96,54 @@ def range_notes(materials: Sequence[Material], largest: Sequence[float]) -> list
     return list(dict.fromkeys(tested + notes))
 
 
+def left_out_notes(plan: EffectPlan) -> list[str]:
+    """Notes on what the scene leaves out by choice although it would change the answer."""
+    return [
+        left_out_note(d.name, d.change)
+        for d in plan.decisions
+        if d.forced == "off" and d.change != 0.0
+    ]
+
+
 def effects(
-    scene: Scene, points: Sequence[PathPoint], contact: Sequence[Effect], is_half: bool
+    plan: EffectPlan, points: Sequence[PathPoint], came_of_it: Mapping[str, str], wall_s: float
 ) -> tuple[Effect, ...]:
-    """Every effect with the reason why it is on or off; ``contact``: those of surfaces."""
-    alone = scene.outside_pressure == 0.0 and scene.tip_force is None
-    if scene.gravity is None:
-        gravity = Effect("gravity", False, "switched off in the scene")
-    elif points and alone:
-        droop = float(np.linalg.norm(points[0].tip_displacement)) * 1e3
-        gravity = Effect("gravity", True, f"its own weight alone moves the tip by {droop:.3g} mm")
-    else:
-        gravity = Effect("gravity", True, "asked for in the scene")
-    stretch = max((p.max_principal_stretch or 1.0 for p in points), default=1.0)
-    half = "half of the body is computed" if is_half else "the whole body is computed"
+    """Every effect with the reason why it is on or off and what came of it. ``came_of_it``: by
+    name, of contact and of finite strain; ``wall_s``: time of the answer [s]."""
+    came = {**_of_loads(plan.applied, points), **came_of_it}
+    decided = [_effect(decision, came.get(decision.name), wall_s) for decision in plan.decisions]
     return (
-        gravity,
-        *_outer_effects(scene),
-        Effect("finite_strain", True, f"stretches reach {stretch:.2f}"),
+        *decided,
         Effect("follower_pressure", True, "pressure stays normal to the deformed cavity"),
-        *contact,
-        Effect("symmetry", is_half, half),
         Effect("inertia", False, "equilibrium only: slow inflation"),
         Effect("viscoelasticity", False, "the materials' records are elastic"),
     )
 
 
-def _outer_effects(scene: Scene) -> list[Effect]:
-    """Effects of the loads on the outside, for those there are."""
-    found: list[Effect] = []
-    if scene.outside_pressure != 0.0:
-        size = scene.outside_pressure / 1e3
-        found.append(
-            Effect(
-                "outside_pressure",
-                True,
-                f"{size:.4g} kPa on the underside, always normal",
-            )
-        )
-    if scene.tip_force is not None:
-        force = ", ".join(f"{x:.4g}" for x in scene.tip_force)
-        found.append(
-            Effect("tip_force", True, f"({force}) N, spread over the free end; does not turn")
-        )
+def _effect(decision: Decision, came: str | None, wall_s: float) -> Effect:
+    factor, known = decision.cost_factor, decision.change is not None
+    cost = None
+    if factor is not None:
+        cost = wall_s * (1.0 - 1.0 / factor) if decision.on else wall_s * (factor - 1.0)
+    return Effect(
+        decision.name,
+        decision.on,
+        decision.reason if came is None else f"{decision.reason}; {came}",
+        estimated_change_percent=100.0 * (decision.change or 0.0) if known else None,
+        cost_s=cost,
+        cost_factor=factor,
+        forced=decision.forced,
+    )
+
+
+def _of_loads(scene: Scene, points: Sequence[PathPoint]) -> dict[str, str]:
+    """What the path says about loads and stretch."""
+    if not points:
+        return {}
+    stretch = max(p.max_principal_stretch or 1.0 for p in points)
+    found = {"finite_strain": f"stretches reach {stretch:.2f}"}
+    alone = scene.outside_pressure == 0.0 and scene.tip_force is None
+    if scene.gravity is not None and alone:
+        droop = float(np.linalg.norm(points[0].tip_displacement)) * 1e3
+        found["gravity"] = f"alone it moves the tip by {droop:.3g} mm"
     return found

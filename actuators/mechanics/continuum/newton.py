@@ -5,9 +5,10 @@ shorter than (1 - f/4) of the correction itself; a full step under a more lenien
 simplified correction shrinks well it is added, and the old tangent is used again while that pays: a
 residual costs a tenth of a factorisation.
 
-A few full steps that bring surfaces into contact, or apart, are taken although the correction
-grows: the old tangent knew nothing of them, the next one does. Where a start has surfaces deep in
-each other, or that comes to nothing, they are made softer first and harder from state to state.
+Full steps that bring surfaces into contact, or apart, are taken although the correction grows: the
+old tangent knew nothing of them, the next one does. That is an active-set method, and started from
+a prediction that ran surfaces into each other it takes about five tangents; where the corrections
+run away it is ended early, for two smaller steps cost less.
 
 Either the cavity pressure is given, or it is one more unknown and something else is: the cavity's
 volume, which passes a pressure's limit points, or a plane across the path, which passes those of
@@ -15,7 +16,7 @@ the volume too.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -35,17 +36,20 @@ TOUCHING = 1e-2
 """Share of the tolerance where surfaces touch: there a thousandth of the body's size is a pressure
 of many shear moduli, and its resultant is part of the answer."""
 NEGLIGIBLE = 1e-3
-MOST_CONTACT_CHANGES = 6
+MOST_CONTACT_CHANGES = 12
 """Steps taken because contact changed; they do not count as iterations."""
-DEEPEST = 4.0
+DEEPEST = 60.0
 """Overlap, in distances at which contact sets in, to which a step is cut that runs surfaces into
-each other: what touches first is in the next tangent."""
-SOFTEST, HARDENING = 200.0, 3.0
-"""How much softer than they are surfaces are made where Newton's method fails with them as they
-are, and how much harder from one state to the next. Walls of the body are never made softer than
-they see each other."""
-ROUGH = 30.0
-"""Tolerance of a state with soft surfaces over that of the answer."""
+each other: they must not pass through each other, and what touches first is in the next tangent."""
+RUNAWAY = 4.0
+"""Growth over the first correction (of :data:`NEAR` at least) at which a state with surfaces in
+contact is given up."""
+MOST_STALE, SHORTER = 6, 0.8
+"""Tangents in contact whose corrections are none below this share of the shortest one before: the
+state is given up, for it goes to and fro between sets of touching points."""
+NEAR = 1e-3
+"""Correction [body sizes] before a tangent that takes contact pressures for those of the
+equilibrium, however high they are."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +70,6 @@ class Failure:
 
     reason: str
     iterations: int
-    in_contact: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,52 +104,20 @@ def solve_equilibrium(
 ) -> Equilibrium | Failure:
     """Equilibrium near ``start``. ``tolerance``: largest displacement correction over the body's
     size."""
-
-    def attempt(softest: float) -> Equilibrium | Failure:
-        state, goal, spent = start, target, 0
-        try:
-            while True:
-                system.soften(softest)
-                found = _newton(
-                    system, solver, state, goal, tolerance if softest == 1.0 else ROUGH * tolerance,
-                    most_iterations, lenience, cancelled,
-                )  # fmt: skip
-                spent += found.iterations
-                if isinstance(found, Failure) or softest == 1.0:
-                    return replace(found, iterations=spent)
-                state, goal = found.state, replace(target, pressure=found.pressure)
-                softest = softest / HARDENING if softest > 1.2 * HARDENING else 1.0
-        finally:
-            system.soften(1.0)
-
-    softest = system.overlap(start)
-    found = attempt(min(softest, SOFTEST) if softest > HARDENING else 1.0)
-    if isinstance(found, Failure) and found.in_contact and softest < SOFTEST:
-        again = attempt(SOFTEST)
-        return replace(again, iterations=found.iterations + again.iterations)
-    return found
-
-
-def _newton(
-    system: ContinuumSystem,
-    solver: SymmetricSolver,
-    start: State,
-    target: Target,
-    tolerance: float,
-    most_iterations: int,
-    lenience: float,
-    cancelled: Callable[[], bool] | None,
-) -> Equilibrium | Failure:
     size = float(np.ptp(system.mesh.nodes, axis=0).max())
     state, pressure = start, target.pressure
     iterations = changes = 0
-    met = False
+    length = longest = shortest = np.inf
+    stale, met = 0, False
     while iterations < most_iterations + changes:
         if cancelled is not None and cancelled():
             return Failure("cancelled", iterations)
-        balance = system.linearise(state, pressure, loads=target.loads)
+        near = length < NEAR * size
+        balance = system.linearise(state, pressure, loads=target.loads, near=near)
         if not balance.admissible:
-            return Failure("an element is turned inside out", iterations)
+            blind = any(touch.blind for touch in balance.touches)
+            what = "surfaces run too deep into each other"
+            return Failure(what if blind else "an element is turned inside out", iterations)
         touches = balance.touches
         met = met or any(touch.points for touch in touches)
         iterations += 1
@@ -159,6 +130,15 @@ def _newton(
         length = _length(system, step)
         if not np.isfinite(length):
             return Failure("the tangent is singular", iterations)
+        if iterations == 1:
+            longest = RUNAWAY * max(length, NEAR * size)
+        elif met and iterations > 2 and length > longest:
+            return Failure("surfaces in contact: the correction grows", iterations)
+        if met:
+            stale = 0 if length < SHORTER * shortest else stale + 1
+            shortest = min(shortest, length)
+        if stale >= MOST_STALE:
+            return Failure("surfaces in contact: the correction does not shrink", iterations)
         factor = first = _until_contact(system, state, step)
         while True:
             trial, trial_pressure = system.moved(state, factor, step), pressure + factor * dp
@@ -175,7 +155,7 @@ def _newton(
                     break
             factor /= 2
             if factor < SMALLEST_FACTOR:
-                return Failure("the correction does not shrink", iterations, met)
+                return Failure("the correction does not shrink", iterations)
         state, pressure = trial, trial_pressure
         negligible = NEGLIGIBLE * tolerance * size
         while factor == 1.0 and rest <= max(TRUSTED_CONTRACTION * length, negligible):
@@ -191,7 +171,7 @@ def _newton(
             length = rest
             again, dp_again = border.correction(state, balance)
             rest = _length(system, again)
-    return Failure(f"not converged in {most_iterations} iterations", iterations, met)
+    return Failure(f"not converged in {most_iterations} iterations", iterations)
 
 
 def _until_contact(system: ContinuumSystem, state: State, step: State) -> float:

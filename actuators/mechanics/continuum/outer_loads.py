@@ -69,6 +69,23 @@ def outer_loads(mesh: HexMesh, scene: Scene) -> OuterLoads | None:
     return OuterLoads(force, underside_faces(mesh), scene.outside_pressure)
 
 
+def end_tractions(mesh: HexMesh) -> tuple[np.ndarray, np.ndarray]:
+    """Nodal forces (n, 3) of a unit force along X3 spread over the free end, and of a unit moment
+    about X2 (towards the underside) as a traction linear in the height; of a half model, of which
+    these are the whole body's."""
+    faces = end_faces(mesh)
+    patch = mesh.nodes[faces]
+    along, across = np.einsum("gdn,fni->dfgi", SQUARE_SLOPES, patch)
+    area = np.linalg.norm(np.cross(along, across), axis=-1) * SQUARE_WEIGHTS
+    height = np.einsum("gn,fn->fg", SQUARE_VALUES, patch[..., 2])
+    height = height - (area * height).sum() / area.sum()
+    force, moment = np.zeros_like(mesh.nodes), np.zeros_like(mesh.nodes)
+    np.add.at(force[:, 2], faces, np.einsum("fg,gn->fn", area / area.sum(), SQUARE_VALUES))
+    lever = area * height / (area * height**2).sum()
+    np.add.at(moment[:, 0], faces, np.einsum("fg,gn->fn", lever, SQUARE_VALUES))
+    return force, moment
+
+
 def end_faces(mesh: HexMesh) -> np.ndarray:
     """(f, 9) nodes of the free end's faces."""
     faces, last = mesh.outer_faces, len(mesh.lines[0]) - 2

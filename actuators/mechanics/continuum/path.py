@@ -16,10 +16,13 @@ __all__ = ["Path", "PathFollower"]
 
 Watch = Callable[[float, float], None]
 """Told the part of the way that is done, 0 to 1, and the pressure [Pa]."""
+Seen = Callable[[Equilibrium], None]
+"""Told every state found, in order, also those that are not reported."""
 
 
 class PathFollower:
-    """One mesh's path. ``stop`` may return a reason to stop (an outcome), else None."""
+    """One mesh's path. ``stop`` may return a reason to stop (an outcome), else None; it is asked
+    after every state that ``seen`` was told of."""
 
     def __init__(
         self,
@@ -29,9 +32,10 @@ class PathFollower:
         tolerance: float = 1e-5,
         stop: Callable[[], Outcome | None] = lambda: None,
         watch: Watch = lambda share, pressure: None,
+        seen: Seen = lambda found: None,
     ) -> None:
         self._tracer = Tracer(system, solver, tolerance, stop)
-        self._watch = watch
+        self._watch, self._seen = watch, seen
 
     def follow(self, pressure_to: float, report: Sequence[float] | None) -> Path:
         """Path from zero to ``pressure_to`` [Pa]. ``report``: pressures to stop at in order, the
@@ -39,11 +43,13 @@ class PathFollower:
         return self.reach(Goal.pressure(pressure_to, report))
 
     def reach(self, goal: Goal) -> Path:
-        """Path from rest to a goal."""
-        start = apply_loads(self._tracer)
-        if start is not None:
-            self._tracer.path.points = [start, *self._continue([start], start, goal)]
-        return self._tracer.path
+        """Path from rest to a goal. One that ends under its loads has one point, that far."""
+        start, path = apply_loads(self._tracer), self._tracer.path
+        path.points = [start]
+        if path.loads == 1.0:
+            self._seen(start)
+            path.points += self._continue([start], start, goal)
+        return path
 
     def resume(self, history: Sequence[Equilibrium], first: Equilibrium, goal: Goal) -> Path:
         """The rest of a path that began with ``first`` and whose last states are ``history``; only
@@ -57,7 +63,12 @@ class PathFollower:
         last = history[-1]
         if goal.sign(first) * (goal.value - goal.measure(last)) <= 0.0:
             return []
-        self._tracer.told = lambda found: self._watch(goal.share(first, found), found.pressure)
+
+        def told(found: Equilibrium) -> None:
+            self._watch(goal.share(first, found), found.pressure)
+            self._seen(found)
+
+        self._tracer.told = told
         stops = goal.left(first, last)
         self._tracer.path.by_volume = goal.by_volume
         if goal.by_volume:

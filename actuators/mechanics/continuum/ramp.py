@@ -7,13 +7,20 @@ from actuators.mechanics.continuum.tracer import Tracer
 from actuators.mechanics.response import Outcome
 
 SMALLEST_SHARE = 1 / 256
+SMALLEST_OF_FIRST = 1 / 16
+"""Of the first share where that is smaller still: a very floppy body begins with a thousandth."""
 
 
-def apply_loads(tracer: Tracer) -> Equilibrium | None:
-    """State under its loads at zero pressure, in shares small enough to turn by."""
+def apply_loads(tracer: Tracer) -> Equilibrium:
+    """State under its loads at zero pressure, in shares small enough to turn by. Where the whole of
+    them cannot be put on, the last state found, at worst the undeformed one: the path's ``loads``
+    says under what share of them it is, its outcome why."""
     rest = tracer.system.rest()
+    volume, _ = tracer.system.volume(rest)
+    found = Equilibrium(rest, 0.0, volume, 0, None)
     states: list[tuple[float, State]] = [(0.0, rest)]
     step = _first_share(tracer)
+    smallest = min(SMALLEST_SHARE, SMALLEST_OF_FIRST * step)
     while True:
         done = states[-1][0]
         share = done + step if done + 1.2 * step < 1.0 else 1.0
@@ -25,16 +32,19 @@ def apply_loads(tracer: Tracer) -> Equilibrium | None:
         if isinstance(result, Equilibrium):
             if share == 1.0:
                 return result
+            found = result
             states.append((share, result.state))
             step = (share - done) * growth(result.iterations)
         elif tracer.stopped():
-            return None
+            tracer.path.loads = done
+            return found
         else:
             step = (share - done) / 2
-            if step < SMALLEST_SHARE:
+            if step < smallest:
                 tracer.path.outcome = Outcome.STALLED
                 tracer.path.reason = f"weight and outer loads beyond {done:.0%}: {result.reason}"
-                return None
+                tracer.path.loads = done
+                return found
 
 
 def _first_share(tracer: Tracer) -> float:

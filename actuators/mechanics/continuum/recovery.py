@@ -1,18 +1,25 @@
 """From converged states to the result type of the ladder."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.mechanics.continuum.advice import advice, unstable_materials
 from actuators.mechanics.continuum.cavity_gap import least_openness
-from actuators.mechanics.continuum.contact.effects import contact_effects
-from actuators.mechanics.continuum.contact.report import ContactReport, contact_report
+from actuators.mechanics.continuum.contact.effects import contact_findings
+from actuators.mechanics.continuum.contact.report import (
+    ContactReport,
+    Touching,
+    contact_report,
+    unseen_notes,
+)
 from actuators.mechanics.continuum.estimates import JUDGED
 from actuators.mechanics.continuum.findings import (
-    advice,
     collapse_notes,
     effects,
+    left_out_notes,
     overlap_note,
     path_notes,
     range_notes,
@@ -22,6 +29,8 @@ from actuators.mechanics.continuum.sections import RodShape, rod_shape
 from actuators.mechanics.continuum.surface_fields import StrainRecovery, surface_fields
 from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.continuum.wall_overlap import wall_overlap
+from actuators.mechanics.effects import EffectPlan
+from actuators.mechanics.effects import plan as plan_effects
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
@@ -44,8 +53,20 @@ class Answer:
     too_large: int | None = None
 
 
-def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Response:
-    """Points, centreline, surface fields, effects and notes of an answer."""
+def recover(
+    design: Design,
+    scene: Scene,
+    answer: Answer,
+    accuracy: float,
+    *,
+    plan: EffectPlan | None = None,
+    came_of_it: Mapping[str, str] | None = None,
+    wall_s: float = 0.0,
+) -> Response:
+    """Points, centreline, surface fields, effects and notes of an answer. ``plan``: the effects
+    that it holds (as decided for the scene where left out), ``came_of_it``: what is known of them
+    besides; ``wall_s``: time so far [s]."""
+    plan = plan or plan_effects(design, scene, accuracy)
     system, mesh = answer.system, answer.system.mesh
     states = [e.state for e in answer.path.points]
     shape = rod_shape(mesh, states)
@@ -53,16 +74,21 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
     at_points = [strain.at_points(state) for state in states]
     largest = np.array([_largest_stretches(system, stretch) for stretch, _ in at_points])
     touching = contact_report(system, answer.path.points)
-    points = _points(answer, shape, largest, touching)
+    points = _points(answer, shape, largest, touching, plan)
     note = None
     if touching.itself is None:
         note = overlap_note(points, wall_overlap(mesh, states))
     notes = [*_notes(answer, accuracy), *path_notes(answer.path, halves(mesh))]
+    unstable: list[str] = []
     if states:
         notes += range_notes(system.materials, largest.max(axis=0))
+        unstable = unstable_materials(system.materials, largest.max(axis=0))
         notes += collapse_notes(points, least_openness(mesh, states))
     if note is not None:
         notes.append(note)
+    notes += unseen_notes(system, answer.path.points)
+    notes += left_out_notes(plan)
+    found = {**contact_findings(points, touching, note), **(came_of_it or {})}
     path = answer.path
     if answer.stopped is not None:
         path = replace(path, outcome=answer.stopped)
@@ -72,7 +98,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         rung="fe",
         outcome=path.outcome,
         path=points,
-        advice=advice(path, points, scene),
+        advice=advice(path, points, plan.applied, unstable),
         centreline=shape.centreline,
         surface=surface_fields(system, states, strain, at_points),
         error_estimate=answer.errors.get("tip"),
@@ -80,9 +106,7 @@ def recover(design: Design, scene: Scene, answer: Answer, accuracy: float) -> Re
         limit_pressure=path.limit.pressure if path.limit is not None else None,
         unknowns=system.unknowns,
         newton_iterations=answer.iterations,
-        effects=effects(
-            scene, points, contact_effects(scene, points, touching, note), mesh.is_half
-        ),
+        effects=effects(plan, points, found, wall_s),
         notes=tuple(notes),
     )
 
@@ -97,7 +121,7 @@ def _largest_stretches(system: ContinuumSystem, stretch: np.ndarray) -> list[flo
 
 
 def _points(
-    answer: Answer, shape: RodShape, largest: np.ndarray, touching: ContactReport
+    answer: Answer, shape: RodShape, largest: np.ndarray, touching: ContactReport, plan: EffectPlan
 ) -> tuple[PathPoint, ...]:
     line = shape.centreline.positions
     clamp, rest = answer.system.mesh.nodes[answer.system.mesh.underside_line[[0, -1]]]
@@ -116,16 +140,23 @@ def _points(
                 torsion=float(shape.torsion[k]),
                 cavity_volume=parts * found.volume,
                 max_principal_stretch=float(largest[k].max()),
-                plate_force=_at(touching.plate and touching.plate.force, k),
-                cylinder_force=_at(touching.cylinder and touching.cylinder.force, k),
-                max_contact_pressure=_at(touching.pressure, k) or None,
+                plate_force=_force(touching.plate, k, plan, "plate"),
+                cylinder_force=_force(touching.cylinder, k, plan, "cylinder"),
+                max_contact_pressure=_pressure(touching, k),
             )
         )
     return tuple(points)
 
 
-def _at(values: np.ndarray | None, k: int) -> float | None:
-    return None if values is None else float(values[k])
+def _pressure(touching: ContactReport, k: int) -> float | None:
+    return None if touching.pressure is None else float(touching.pressure[k]) or None
+
+
+def _force(touching: Touching | None, k: int, plan: EffectPlan, name: str) -> float | None:
+    """Force on an obstacle [N]: none on one that was watched and not reached."""
+    if touching is None:
+        return 0.0 if plan.watched(f"{name}_contact") else None
+    return float(touching.force[k])
 
 
 def halves(mesh: HexMesh) -> float:

@@ -2,12 +2,12 @@
 
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
 
 from actuators.materials import Material
-from actuators.mechanics.continuum.contact import Interaction, Tangent, Touch
+from actuators.mechanics.continuum.contact import Interaction, Tangent
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.kernel.cavity import cavity_volume
 from actuators.mechanics.continuum.kernel.condense import (
@@ -16,7 +16,6 @@ from actuators.mechanics.continuum.kernel.condense import (
     condense_residual,
     expand_correction,
 )
-from actuators.mechanics.continuum.kernel.membrane import SHEET_POINTS
 from actuators.mechanics.continuum.kernel.pattern import (
     merge_neighbours,
     node_neighbours,
@@ -25,45 +24,15 @@ from actuators.mechanics.continuum.kernel.pattern import (
 )
 from actuators.mechanics.continuum.outer_loads import FacePlaces, OuterLoads, face_places
 from actuators.mechanics.continuum.sheets import by_element, sheets_of
+from actuators.mechanics.continuum.state import Balance, State
 from actuators.mechanics.continuum.turning import Turning
 from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.meshing import CENTRE, FACE_NODES, HexMesh
 
+__all__ = ["Balance", "ContinuumSystem", "State", "clamped"]
+
 # numba's simplest threading layer must not be entered by two threads at once
 _PARALLEL = threading.Lock()
-
-
-@dataclass(frozen=True, eq=False)
-class State:
-    """``displacement`` (n, 3) [m]; ``pressure`` (m, 4) [Pa], element-wise value and slopes;
-    ``sheet`` (f, 6) [N/m], forces of embedded sheets, empty for none."""
-
-    displacement: np.ndarray
-    pressure: np.ndarray
-    sheet: np.ndarray = field(default_factory=lambda: np.zeros((0, SHEET_POINTS)))
-
-    def moved(self, factor: float, step: "State") -> "State":
-        """self + factor * step."""
-        sheet = factor * step.sheet
-        return State(
-            self.displacement + factor * step.displacement,
-            self.pressure + factor * step.pressure,
-            self.sheet + sheet if len(self.sheet) else sheet,
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Balance:
-    """Out-of-balance forces: ``residual`` (n, 3) [N], ``inner`` (m, 4) [m3], ``sheet`` (f, 6):
-    stretch of a sheet less what its force accounts for; ``admissible`` is
-    False where an element is turned inside out, or surfaces are too far inside each other to
-    know where they met. ``touches``: what each interaction found."""
-
-    residual: np.ndarray
-    inner: np.ndarray
-    sheet: np.ndarray
-    admissible: bool
-    touches: tuple[Touch, ...] = ()
 
 
 class ContinuumSystem:
@@ -125,11 +94,6 @@ class ContinuumSystem:
                 more = node_neighbours(np.array(new), len(positions))
                 self._lay_out(merge_neighbours(*self._neighbours, *more))
 
-    def soften(self, factor: float) -> None:
-        """Make all surfaces this much softer against each other than they are."""
-        for interaction in self.interactions:
-            interaction.soften(factor)
-
     def overlap(self, state: State) -> float:
         """Deepest penetration of surfaces over the distance in which contact sets in; 0 where
         nothing touches."""
@@ -183,11 +147,22 @@ class ContinuumSystem:
         """Residual at cavity ``pressure`` [Pa] and this share of weight and outer loads."""
         return self._assemble(state, pressure, loads, tangent=False)
 
-    def linearise(self, state: State, pressure: float, *, loads: float = 1.0) -> Balance:
-        """Residual, and the tangent kept in :attr:`values` (upper triangle)."""
-        return self._assemble(state, pressure, loads, tangent=True)
+    def linearise(
+        self, state: State, pressure: float, *, loads: float = 1.0, near: bool = True
+    ) -> Balance:
+        """Residual, and the tangent kept in :attr:`values` (upper triangle). ``near``: whether
+        ``state`` is so near to equilibrium that its contact pressures are to be believed."""
+        return self._assemble(state, pressure, loads, tangent=True, near=near)
 
-    def _assemble(self, state: State, pressure: float, loads: float, *, tangent: bool) -> Balance:
+    def _assemble(
+        self,
+        state: State,
+        pressure: float,
+        loads: float,
+        *,
+        tangent: bool,
+        near: bool = True,
+    ) -> Balance:
         mesh = self.mesh
         residual = np.zeros_like(mesh.nodes)
         inner = np.zeros((len(mesh.elements), 4))
@@ -210,7 +185,9 @@ class ContinuumSystem:
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())
         if not sound:
             return Balance(residual, inner, gap, False)
-        matrix = Tangent(self.dof, self.indptr, self.indices, self.values) if tangent else None
+        matrix = None
+        if tangent:
+            matrix = Tangent(self.dof, self.indptr, self.indices, self.values, near)
         touches = tuple(i.add(positions, residual, matrix) for i in self.interactions)
         return Balance(residual, inner, gap, not any(t.blind for t in touches), touches)
 

@@ -28,7 +28,9 @@ class Path:
     """Equilibria found, in order. ``beyond``: a state past the limit point, where one was solved:
     the proof that the pressure falls there. ``limit``: the first maximum of the pressure (of
     suction, a minimum) met on the way. ``by_volume``: whether a volume was the goal. ``by_arc``:
-    how many of the last points need arc length, where volume control no longer leads on."""
+    how many of the last points need arc length, where volume control no longer leads on.
+    ``loads``: share of weight and outer loads that could be put on; below 1 the path ends there,
+    in its only point."""
 
     points: list[Equilibrium] = field(default_factory=list)
     outcome: Outcome = Outcome.CONVERGED
@@ -37,6 +39,7 @@ class Path:
     limit: Equilibrium | None = None
     by_volume: bool = False
     by_arc: int = 0
+    loads: float = 1.0
     iterations: int = 0
 
 

@@ -18,6 +18,7 @@ from actuators.mechanics.continuum.assembly import linear_system
 from actuators.mechanics.continuum.contact.build import interactions
 from actuators.mechanics.continuum.kernel.assemble import assemble
 from actuators.mechanics.continuum.newton import Equilibrium, Target, solve_equilibrium
+from actuators.mechanics.continuum.state import State
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import open_solver
 from actuators.mechanics.scene import Plate, Scene
@@ -69,7 +70,7 @@ def exercise() -> None:
 
 
 def exercise_contact(material: Material) -> None:
-    """Two blocks that touch each other and stand on a plate."""
+    """Two blocks that touch each other, pressed onto a plate."""
     side, height = np.array([0.0, 1.0]), np.array([0.0, 1.0, 1.0 + 1e-5, 2.0])
     fill = np.array([0, OUTSIDE, 0], dtype=np.int8).reshape(1, 1, 3)
     body = Body((side, side, height), fill, (Region("a", "a"),), lambda x: x, False)
@@ -77,7 +78,8 @@ def exercise_contact(material: Material) -> None:
     scene = Scene(pressure_to=1.0, plate=Plate(0.0))
     contacts = interactions(mesh, [material], scene)
     system = ContinuumSystem(mesh, [material], free=clamped(mesh), interactions=contacts)
-    pressed = system.linearise(system.rest(), 0.0)
+    lower = State(np.tile([0.0, 0.0, -0.02], (len(mesh.nodes), 1)), system.rest().pressure)
+    pressed = system.linearise(lower, 0.0)
     if not all(touch.points for touch in pressed.touches):
         raise RuntimeError("the kernels do not see two blocks touch")
     for contact in contacts:

@@ -70,11 +70,28 @@ def test_an_obstacle_out_of_reach_changes_nothing() -> None:
     assert contact.contact_pressure(mesh.nodes).max() == 0.0
 
 
+@pytest.mark.parametrize("obstacle", [Plate(0.0), Plate(1e-7), Cylinder(5e-3, (5e-3, 0.0, -5e-3))])
+def test_what_only_touches_is_not_pressed(obstacle: Plate | Cylinder) -> None:
+    """Contact pressure begins at its onset above a surface: not for a body that rests on it."""
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)))
+    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), obstacle)
+    assert np.abs(contact.force(mesh.nodes)).max() < 1e-12
+    assert contact.force(mesh.nodes - [0.0, 0.0, 1e-6])[2] < 0.0
+
+
+def test_a_needle_between_the_points_of_contact_is_seen() -> None:
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)))
+    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), Cylinder(3e-4, (3e-3, 0, -1e-3)))
+    sunk = mesh.nodes - [0.0, 0.0, 0.9e-3]
+    assert contact.depth(sunk) < 0.0  # no node and no Gauss point lies in it
+    assert 1e-4 < contact.unseen_depth(sunk) <= 2e-4  # its top lies 0.2 mm inside
+
+
 def test_uniform_pressure_at_the_nodes() -> None:
     mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(3, 2, 2))
     law = contact_law(mesh, [RUBBER])
     contact = Obstacle(outside(mesh), law, Plate(0.0))
-    sunk = mesh.nodes - [0.0, 0.0, 2 * law.onset]
+    sunk = mesh.nodes - [0.0, 0.0, 3 * law.onset]  # contact begins with the first
     pressure = contact.contact_pressure(sunk)
     below = np.isclose(mesh.nodes[:, 2], 0.0) & (mesh.nodes[:, 0] > 0)
     inside = below & (mesh.nodes[:, 0] < 10e-3) & (abs(mesh.nodes[:, 1]) < 4.9e-3)

@@ -6,6 +6,7 @@ import scipy.sparse as sp
 
 from actuators.mechanics.continuum.contact import SelfContact, Tangent, contact_law, outside
 from actuators.mechanics.continuum.contact.search import PairSearch
+from actuators.mechanics.continuum.contact.surface import ContactLaw, ContactSurface
 from actuators.mechanics.continuum.kernel.contact import face_areas
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.meshing import HexMesh, mesh_body
@@ -158,3 +159,23 @@ def test_a_strip_curled_up_more_than_a_turn_meets_itself(gap: float) -> None:
     contact.add(curled, residual, None)
     assert residual.any() == (gap < 0)
     assert residual.sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
+
+
+@pytest.mark.parametrize("slope", [0.12, -0.12])
+def test_the_distance_does_not_jump_where_two_faces_meet_at_an_angle(slope: float) -> None:
+    """A point that slides through a valley or over a ridge, inside and outside of the surface."""
+    along, across = np.meshgrid(np.linspace(-1, 1, 3), np.linspace(-1, 1, 3))
+    square = np.stack([along, across, np.zeros_like(along)], axis=-1).reshape(9, 3)
+    side = np.array([1.0, 0.0, 0.0])
+    left, right = square - side, square + side
+    probe = 0.01 * square[:, [1, 0, 2]]
+    nodes = np.concatenate([left, right, probe])
+    nodes[:, 2] = np.where(np.arange(27) < 18, slope * np.abs(nodes[:, 0]), 0.5)
+    surface = ContactSurface(nodes, np.arange(27).reshape(3, 9), np.ones((3, 9)))
+    contact = SelfContact(surface, ContactLaw(1.0, 1e-3), 2.0)
+    for height in (-0.004, 0.001):
+        for x in np.linspace(-0.05, 0.05, 41):
+            moved = nodes.copy()
+            moved[18:] = probe + np.array([x, 0.0, height + slope * abs(x)])
+            distance = height / np.hypot(1.0, slope)
+            assert contact.gaps(moved)[2, 4] == pytest.approx(distance, rel=0.02)

@@ -1,5 +1,7 @@
 """Paths: gravity, limit points, cancellation, what a response holds."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -133,8 +135,31 @@ def test_cancelled_job_keeps_the_part_it_found() -> None:
 def test_spent_time_budget_is_an_outcome() -> None:
     found = solve(SMALL, Scene(pressure_to=6e3), time_budget=0.0)
     assert found.outcome is Outcome.BUDGET_SPENT
-    assert found.path == ()
+    (rest,) = found.path  # the body as it was cast
+    assert rest.tip_displacement == (0.0, 0.0, 0.0)
+    assert "under 0% of that" in (found.advice or "")
     found.to_document()
+
+
+def test_the_part_of_its_weight_that_a_body_carries_is_shown() -> None:
+    """In a centrifuge at 1000 g, beyond what it can carry."""
+    found = solve(SMALL, Scene(1e3, gravity=(0.0, 0.0, -9810.0)), mesh="coarse")
+    assert found.outcome is Outcome.STALLED
+    (loaded,) = found.path
+    assert loaded.pressure == 0.0
+    assert loaded.tip_displacement[2] < -1e-3
+    assert "before any inflation" in (found.advice or "")
+
+
+def test_a_sheet_far_too_floppy_for_its_weight_hangs_down() -> None:
+    """rho g L^3 / (E h^2) = 160: put on in shares of a thousandth at first."""
+    sheet = preset("slab-rectangle-low").design.changed(
+        chamber_count=4, length=100, width=20, bottom_thickness=0.5, chamber_height=0.3,
+        roof_thickness=0.4, bottom_material="ecoflex-00-30",
+    )  # fmt: skip
+    found = solve(sheet, Scene(0.0), mesh="coarse")
+    assert found.outcome is Outcome.CONVERGED
+    assert 80 < math.degrees(found.path[0].bending_angle) < 90
 
 
 def test_limit_pressure_is_the_answer_when_more_is_asked_for() -> None:

@@ -5,45 +5,35 @@ from collections.abc import Sequence
 import numpy as np
 
 from actuators.mechanics.continuum.contact.report import ContactReport, Touching
-from actuators.mechanics.response import Effect, PathPoint
-from actuators.mechanics.scene import Scene
+from actuators.mechanics.response import PathPoint
 
 
-def contact_effects(
-    scene: Scene, points: Sequence[PathPoint], report: ContactReport, overlap: str | None
-) -> tuple[Effect, ...]:
-    """Contact of the body with itself, and with the scene's obstacles. ``overlap``: a note on walls
-    that ran into each other where contact was left out."""
-    found = [_itself(scene, points, report.itself, overlap)]
-    if report.plate is not None:
-        found.append(_obstacle("plate", points, report.plate))
-    if report.cylinder is not None:
-        found.append(_obstacle("cylinder", points, report.cylinder))
-    return tuple(found)
+def contact_findings(
+    points: Sequence[PathPoint], report: ContactReport, overlap: str | None
+) -> dict[str, str]:
+    """What came of contact of the body with itself and with the scene's obstacles, by effect.
+    ``overlap``: a note on walls that ran into each other where contact was left out."""
+    found = {"self_contact": _itself(points, report.itself, overlap)}
+    for name, touching in (("plate", report.plate), ("cylinder", report.cylinder)):
+        if touching is not None:
+            found[f"{name}_contact"] = _obstacle(name, points, touching)
+    return found
 
 
-def _itself(
-    scene: Scene, points: Sequence[PathPoint], touching: Touching | None, overlap: str | None
-) -> Effect:
-    name = "self_contact"
+def _itself(points: Sequence[PathPoint], touching: Touching | None, overlap: str | None) -> str:
     if touching is None:
-        return Effect(name, False, overlap or "switched off in the scene; no walls overlap")
-    if (touching.pressure > 0).any():
-        reason = f"surfaces of the body meet {_onset(points, touching)}"
-        return Effect(name, True, f"{reason}; {_hardness(touching)}")
-    if scene.self_contact == "on":
-        return Effect(name, True, "asked for in the scene; no surfaces of the body meet")
-    return Effect(name, False, "looked for, and no surfaces of the body meet")
-
-
-def _obstacle(name: str, points: Sequence[PathPoint], touching: Touching) -> Effect:
+        return overlap or "no walls overlap"
     if not (touching.pressure > 0).any():
-        return Effect(f"{name}_contact", True, f"the {name} is not reached")
-    return Effect(
-        f"{name}_contact",
-        True,
+        return "no surfaces of the body meet"
+    return f"surfaces of the body meet {_onset(points, touching)}; {_hardness(touching)}"
+
+
+def _obstacle(name: str, points: Sequence[PathPoint], touching: Touching) -> str:
+    if not (touching.pressure > 0).any():
+        return f"the {name} is not reached"
+    return (
         f"the {name} is pressed {_onset(points, touching)}, with up to "
-        f"{touching.force.max():.3g} N; {_hardness(touching)}",
+        f"{touching.force.max():.3g} N; {_hardness(touching)}"
     )
 
 

@@ -8,12 +8,15 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """The matrix being assembled: upper triangle by rows, and ``dof`` (n, 3), -1 where held."""
+    """The matrix being assembled: upper triangle by rows, and ``dof`` (n, 3), -1 where held.
+    ``near``: whether the state is so near to equilibrium that its contact pressures are to be
+    believed."""
 
     dof: np.ndarray
     indptr: np.ndarray
     indices: np.ndarray
     values: np.ndarray
+    near: bool = True
 
 
 @dataclass(frozen=True)
@@ -43,11 +46,6 @@ class Interaction(Protocol):
     def overlap(self, positions: np.ndarray) -> float:
         """Deepest penetration at ``positions`` over the distance in which contact sets in; 0 where
         there is none."""
-        ...
-
-    def soften(self, factor: float) -> None:
-        """Press this much less for a given penetration, and from this much farther off; 1 is the
-        contact as it is."""
         ...
 
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:

@@ -9,8 +9,13 @@ from actuators.mechanics.continuum.contact.surface import (
     law_pressure,
 )
 from actuators.mechanics.continuum.kernel.contact import CYLINDER, PLANE, add_rigid
+from actuators.mechanics.continuum.kernel.shape import square_shape
 from actuators.mechanics.obstacles import Cylinder, Plate
 
+GRID_VALUES: np.ndarray = square_shape(
+    np.stack(np.meshgrid(*[np.linspace(-1, 1, 17)] * 2), axis=-1).reshape(-1, 2)
+)[0]
+"""Shape functions on a fine grid over a face, (289, 9)."""
 _NO_DOF = np.empty((0, 3), dtype=np.int32)
 _NO_INDEX = np.empty(0, dtype=np.int32)
 _NO_VALUES = np.empty(0)
@@ -25,17 +30,22 @@ class Obstacle:
         self, surface: ContactSurface, law: ContactLaw, obstacle: Plate | Cylinder
     ) -> None:
         self.obstacle = obstacle
-        self._surface, self._hard, self._law = surface, law, law
+        self._surface, self._law = surface, law
         self._deepest = np.inf
         if isinstance(obstacle, Plate):
             normal = np.array(obstacle.normal)
-            offset = float((surface.nodes @ normal).min()) - obstacle.gap
+            # contact begins at its onset: what touches at rest must not be pressed by that
+            gap = max(obstacle.gap, law.onset)
+            offset = float((surface.nodes @ normal).min()) - gap
             self._kind, self._shape = PLANE, np.append(normal, offset)
         else:
             axis, centre = np.array(obstacle.axis), np.array(obstacle.centre)
             self._kind = CYLINDER
             self._shape = np.concatenate([axis, centre, [obstacle.radius]])
             self._deepest = 0.5 * obstacle.radius
+            near = float(self._distance(surface.nodes).min())
+            if 0.0 <= near < law.onset:
+                self._shape[6] -= law.onset - near
 
     def couples(self, positions: np.ndarray) -> np.ndarray:
         """None: an obstacle couples no nodes but those of one face."""
@@ -60,6 +70,12 @@ class Obstacle:
         edge beyond the last Gauss point may lie deeper than any of them."""
         return -float(min(self.gaps(positions).min(), self._distance(positions).min()))
 
+    def unseen_depth(self, positions: np.ndarray) -> float:
+        """Deepest penetration [m] on a fine grid over every face: what is thinner than the Gauss
+        points are apart slips between them."""
+        patch = np.einsum("gn,fni->fgi", GRID_VALUES, positions[self._surface.faces])
+        return max(0.0, -float(self._distances_of(patch.reshape(-1, 3)).min()))
+
     def force(self, positions: np.ndarray) -> np.ndarray:
         """(3,) resultant on the obstacle [N]; that of the half for a half model."""
         residual = np.zeros_like(positions)
@@ -74,17 +90,15 @@ class Obstacle:
         """See :class:`Interaction`."""
         return max(0.0, -float(self.gaps(positions).min()) / self._law.onset)
 
-    def soften(self, factor: float) -> None:
-        """See :class:`Interaction`."""
-        self._law = self._hard.softened(factor)
-
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
         """See :class:`Interaction`."""
         return self._surface.nodal(positions, self.gaps(positions), self._law)
 
     def _distance(self, positions: np.ndarray) -> np.ndarray:
         """(m,) distance of the surface's nodes."""
-        x = positions[self._surface.faces].reshape(-1, 3)
+        return self._distances_of(positions[self._surface.faces].reshape(-1, 3))
+
+    def _distances_of(self, x: np.ndarray) -> np.ndarray:
         if self._kind == PLANE:
             return x @ self._shape[:3] - self._shape[3]
         apart = x - self._shape[3:6]

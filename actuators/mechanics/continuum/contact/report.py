@@ -11,6 +11,8 @@ from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.obstacles import Cylinder, Plate
 
+UNSEEN = 0.2
+"""Of a cylinder's radius: deeper than that it has slipped between the Gauss points."""
 _Measure = Callable[[np.ndarray], float]
 
 
@@ -55,6 +57,26 @@ def contact_report(system: ContinuumSystem, points: Sequence[Equilibrium]) -> Co
                 _deepest(system, points, interaction),
             )
     return ContactReport(found.get(Plate), found.get(Cylinder), found.get(SelfContact))
+
+
+def unseen_notes(system: ContinuumSystem, points: Sequence[Equilibrium]) -> list[str]:
+    """A note on a cylinder so thin that it enters the body between the points where contact is
+    looked for."""
+    notes: list[str] = []
+    for interaction in system.interactions:
+        if not isinstance(interaction, Obstacle) or isinstance(interaction.obstacle, Plate):
+            continue
+        nodes = system.mesh.nodes
+        depth = max(
+            (interaction.unseen_depth(nodes + p.state.displacement) for p in points), default=0.0
+        )
+        if depth > UNSEEN * interaction.obstacle.radius:
+            notes.append(
+                f"The cylinder enters the body by {depth * 1e3:.2g} mm between the points where "
+                "this mesh looks for contact: its force is too small. Take a finer mesh, or a "
+                "cylinder of a larger radius."
+            )
+    return notes
 
 
 def contact_pressure(system: ContinuumSystem, found: Equilibrium) -> np.ndarray:

@@ -1,7 +1,8 @@
 """Which faces can touch each other: pairs that face each other and are near."""
 
 import numpy as np
-from scipy.spatial import KDTree
+
+from actuators.mechanics.continuum.kernel.nearby import near_pairs
 
 OPPOSED = -0.2
 """Largest product of the unit normals of two faces that can touch."""
@@ -31,23 +32,11 @@ class PairSearch:
         self._middle, self._normal, self._radius = frames(nodes, faces)
 
     def near(self, positions: np.ndarray, reach: float) -> np.ndarray:
-        """(k, 2) pairs whose enclosing spheres are closer than ``reach``; each once, in order."""
+        """(k, 2) pairs whose enclosing spheres are closer than ``reach``, with nothing but air
+        between them at rest, that share no node; each once."""
         middle, normal, radius = frames(positions, self._faces)
-        tree = KDTree(middle)
-        pairs = tree.query_pairs(2 * float(radius.max()) + reach, output_type="ndarray")
-        a, b = pairs.T
-        close = np.linalg.norm(middle[a] - middle[b], axis=1) < radius[a] + radius[b] + reach
-        close &= np.einsum("ki,ki->k", normal[a], normal[b]) < OPPOSED
-        pairs = pairs[close]
-        return pairs[self._may_touch(pairs)]
-
-    def _may_touch(self, pairs: np.ndarray) -> np.ndarray:
-        """Whether nothing but air was between two faces, and they share no node."""
-        a, b = pairs.T
-        apart = self._middle[b] - self._middle[a]
-        distance = np.linalg.norm(apart, axis=1)
-        before = np.einsum("ki,ki->k", apart, self._normal[a]) > LEVEL * distance
-        before &= np.einsum("ki,ki->k", -apart, self._normal[b]) > LEVEL * distance
-        common = (self._faces[a][:, :, None] == self._faces[b][:, None, :]).any(axis=(1, 2))
-        between = distance - self._radius[a] - self._radius[b]
-        return (before | (between > self._far)) & ~common
+        order = np.argsort(middle[:, 0] - radius)
+        return near_pairs(
+            order, middle, normal, radius, self._middle, self._normal, self._radius, self._faces,
+            reach, OPPOSED, LEVEL, self._far,
+        )  # fmt: skip

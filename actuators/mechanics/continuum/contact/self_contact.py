@@ -21,6 +21,11 @@ SKIN = 1e-2
 DEPTH = 0.25
 """Penetration [body heights] up to which faces see each other."""
 
+MOST_TURNING = 2.0
+"""Contact pressure, over that at a penetration of ``onset``, up to which the tangent knows that
+pressed surfaces turn while the state is far from equilibrium. Pressures there are far too high as a
+rule and would make it indefinite; near equilibrium they are the true ones and count in full."""
+
 _NO_DOF = np.empty((0, 3), dtype=np.int32)
 _NO_INDEX = np.empty(0, dtype=np.int32)
 _NO_VALUES = np.empty(0)
@@ -30,7 +35,7 @@ class SelfContact:
     """Contact of ``surface`` with itself. ``height`` of the undeformed body [m]."""
 
     def __init__(self, surface: ContactSurface, law: ContactLaw, height: float) -> None:
-        self._surface, self._hard, self._law = surface, law, law
+        self._surface, self._law = surface, law
         size = float(np.ptp(surface.nodes, axis=0).max())
         self._reach, self._skin, self._depth = REACH * size, SKIN * size, DEPTH * height
         self._search = PairSearch(surface.nodes, surface.faces, height)
@@ -57,10 +62,11 @@ class SelfContact:
         pressed = self._gaps < law.onset
         if not pressed.any():
             return Touch()
+        believed = np.inf if into.near else MOST_TURNING * law.stiffness * law.onset
         complete = add_facing(
             positions, self._surface.faces, self._half_areas, self._start, self._candidates,
-            self._partner, law.stiffness, law.onset, residual, tangent is not None, into.dof,
-            into.indptr, into.indices, into.values,
+            self._partner, law.stiffness, law.onset, believed, residual, tangent is not None,
+            into.dof, into.indptr, into.indices, into.values,
         )  # fmt: skip
         if not complete:
             raise RuntimeError("faces touch that have no place in the matrix")
@@ -84,17 +90,13 @@ class SelfContact:
         """See :class:`Interaction`."""
         return max(0.0, -float(self.gaps(positions).min()) / self._law.onset)
 
-    def soften(self, factor: float) -> None:
-        """See :class:`Interaction`."""
-        self._law = self._hard.softened(min(factor, 0.5 * self._reach / self._hard.onset))
-
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
         """See :class:`Interaction`."""
         return self._surface.nodal(positions, self.gaps(positions), self._law)
 
     def _look(self, positions: np.ndarray) -> None:
         """Find the face opposite to each Gauss point; once per positions."""
-        if self._looked_at is positions:
+        if self._looked_at is not None and np.array_equal(self._looked_at, positions):
             return
         self._find_candidates(positions)
         if len(self._candidates):
@@ -104,7 +106,7 @@ class SelfContact:
             )  # fmt: skip
         else:
             self._partner[:], self._gaps[:] = -1, self._reach
-        self._looked_at = positions
+        self._looked_at = positions.copy()
 
     def _find_candidates(self, positions: np.ndarray) -> None:
         """Refresh the list of pairs that can come within reach before the next refreshment."""

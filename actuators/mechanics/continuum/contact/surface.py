@@ -25,10 +25,6 @@ class ContactLaw:
     stiffness: float
     onset: float
 
-    def softened(self, factor: float) -> "ContactLaw":
-        """As much softer, beginning as much farther off."""
-        return ContactLaw(self.stiffness / factor, self.onset * factor)
-
 
 def contact_law(
     mesh: HexMesh, materials: Sequence[Material], expected: float = math.inf

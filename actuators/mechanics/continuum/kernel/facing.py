@@ -7,93 +7,16 @@ Points of one face are projected on the other; the law and the energy are those 
 import numpy as np
 from numba import njit
 
+from actuators.mechanics.continuum.kernel.closest import (
+    apart,
+    bounding_box,
+    dot,
+    project,
+    signed,
+    within,
+)
 from actuators.mechanics.continuum.kernel.contact import pressure_law, scatter_block
 from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
-
-MOST_TURNING = 2.0
-"""Contact pressure, over that at a penetration of ``onset``, up to which the tangent knows that
-pressed surfaces turn. Beyond, only a state on the way to equilibrium lies; there it misleads."""
-BEYOND_EDGE = 0.02
-"""How far past its edge, in local coordinates, a face still stops points: no cracks between the
-faces of a bent surface."""
-_STEPS = 12
-
-
-@njit(cache=True)
-def _patch(nodes: np.ndarray, xi: float, eta: float, value: np.ndarray, at: np.ndarray) -> None:
-    """Shape functions and their derivatives (6, 9) [1, xi, eta, xi xi, eta eta, xi eta], and the
-    same of the position (6, 3), at one point of a face."""
-    for n in range(9):
-        u = _line(xi, n % 3)
-        v = _line(eta, n // 3)
-        value[0, n] = u[0] * v[0]
-        value[1, n] = u[1] * v[0]
-        value[2, n] = u[0] * v[1]
-        value[3, n] = u[2] * v[0]
-        value[4, n] = u[0] * v[2]
-        value[5, n] = u[1] * v[1]
-    for d in range(6):
-        for i in range(3):
-            at[d, i] = 0.0
-            for n in range(9):
-                at[d, i] += value[d, n] * nodes[n, i]
-
-
-@njit(cache=True)
-def _line(x: float, n: int) -> tuple[float, float, float]:
-    if n == 0:
-        return x * (x - 1) / 2, x - 0.5, 1.0
-    if n == 1:
-        return 1 - x * x, -2 * x, -2.0
-    return x * (x + 1) / 2, x + 0.5, 1.0
-
-
-@njit(cache=True)
-def _dot(a: np.ndarray, b: np.ndarray) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@njit(cache=True)
-def project(
-    x: np.ndarray, nodes: np.ndarray, value: np.ndarray, at: np.ndarray, where: np.ndarray
-) -> bool:
-    """Closest point to ``x`` (3,) on the face with ``nodes`` (9, 3), by Newton's method: its local
-    coordinates in ``where`` (2,), shape functions and position as :func:`_patch` has them."""
-    where[0] = 0.0
-    where[1] = 0.0
-    r = np.empty(3)
-    for _ in range(_STEPS):
-        _patch(nodes, where[0], where[1], value, at)
-        for i in range(3):
-            r[i] = x[i] - at[0, i]
-        f0, f1 = _dot(at[1], r), _dot(at[2], r)
-        m00, m11, m01 = _dot(at[1], at[1]), _dot(at[2], at[2]), _dot(at[1], at[2])
-        h00, h11, h01 = m00 - _dot(r, at[3]), m11 - _dot(r, at[4]), m01 - _dot(r, at[5])
-        det = h00 * h11 - h01 * h01
-        if det <= 0.1 * (m00 * m11 - m01 * m01) or h00 <= 0.0:  # too curved: without curvature
-            h00, h11, h01 = m00, m11, m01
-            det = h00 * h11 - h01 * h01
-        d0, d1 = (h11 * f0 - h01 * f1) / det, (h00 * f1 - h01 * f0) / det
-        if abs(d0) < 1e-12 and abs(d1) < 1e-12:
-            break
-        new0 = min(1.5, max(-1.5, where[0] + d0))
-        new1 = min(1.5, max(-1.5, where[1] + d1))
-        if new0 == where[0] and new1 == where[1]:  # held at the limit
-            return False
-        where[0], where[1] = new0, new1
-    return max(abs(where[0]), abs(where[1])) <= 1 + BEYOND_EDGE
-
-
-@njit(cache=True)
-def _signed(x: np.ndarray, at: np.ndarray, normal: np.ndarray) -> float:
-    """Unit normal of the patch at its closest point, and the distance of ``x`` along it."""
-    normal[:] = np.cross(at[1], at[2])
-    normal /= np.sqrt(_dot(normal, normal))
-    return (
-        (x[0] - at[0, 0]) * normal[0]
-        + (x[1] - at[0, 1]) * normal[1]
-        + (x[2] - at[0, 2]) * normal[2]
-    )
 
 
 @njit(cache=True)
@@ -109,36 +32,40 @@ def find_opposite(
 ) -> None:
     """Nearest opposite face of each Gauss point: its place in ``candidates`` in ``partner`` (f, 9),
     -1 where there is none within ``reach`` before or ``depth`` behind it; the distance in ``gaps``.
+    Nearest is the face itself, not what it would be beyond its edge: where two faces meet at an
+    angle, the distance would jump from one to the other.
 
     The candidates of face f are ``candidates[start[f] : start[f + 1]]``.
     """
     value, at, where = np.empty((6, 9)), np.empty((6, 3)), np.empty(2)
-    x, normal, nodes = np.empty(3), np.empty(3), np.empty((9, 3))
+    points, normal, nodes = np.empty((9, 3)), np.empty(3), np.empty((9, 3))
+    axes, low, high = np.empty((3, 3)), np.empty(3), np.empty(3)
+    nearest = np.empty(9)
     partner[:] = -1
     gaps[:] = reach
     for f in range(len(faces)):
+        if start[f] == start[f + 1]:
+            continue
+        for q in range(9):
+            for i in range(3):
+                points[q, i] = 0.0
+                for n in range(9):
+                    points[q, i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
+        nearest[:] = np.inf
         for c in range(start[f], start[f + 1]):
-            radius = 0.0
             for n in range(9):
                 for i in range(3):
                     nodes[n, i] = positions[faces[candidates[c], n], i]
-            for n in range(9):
-                square = 0.0
-                for i in range(3):
-                    square += (nodes[n, i] - nodes[4, i]) ** 2
-                radius = max(radius, np.sqrt(square))
-            far = 1.1 * radius + max(reach, depth)
+            bounding_box(nodes, axes, low, high)
             for q in range(9):
-                square = 0.0
-                for i in range(3):
-                    x[i] = 0.0
-                    for n in range(9):
-                        x[i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
-                    square += (x[i] - nodes[4, i]) ** 2
-                if square > far * far or not project(x, nodes, value, at, where):
+                if not within(points[q], nodes[4], axes, low, high, reach, depth):
                     continue
-                gap = _signed(x, at, normal)
-                if -depth < gap < reach and (partner[f, q] < 0 or abs(gap) < abs(gaps[f, q])):
+                if not project(points[q], nodes, value, at, where):
+                    continue
+                gap = signed(points[q], at, normal)
+                away = apart(gap, at, where)
+                if -depth < gap < reach and away < nearest[q]:
+                    nearest[q] = away
                     partner[f, q] = c
                     gaps[f, q] = gap
 
@@ -153,6 +80,7 @@ def add_facing(
     partner: np.ndarray,
     stiffness: float,
     onset: float,
+    most_turning: float,
     residual: np.ndarray,
     want_tangent: bool,
     dof: np.ndarray,
@@ -160,7 +88,8 @@ def add_facing(
     indices: np.ndarray,
     values: np.ndarray,
 ) -> bool:
-    """Forces between opposite faces found by :func:`find_opposite`."""
+    """Forces between opposite faces found by :func:`find_opposite`. The tangent knows that pressed
+    surfaces turn up to a contact pressure ``most_turning`` [Pa]."""
     value, at, where = np.empty((6, 9)), np.empty((6, 3)), np.empty(2)
     x, normal, nodes = np.empty(3), np.empty(3), np.empty((9, 3))
     both = np.empty(18, dtype=np.int64)
@@ -183,7 +112,7 @@ def add_facing(
                     for n in range(9):
                         x[i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
                 project(x, nodes, value, at, where)
-                gap = _signed(x, at, normal)
+                gap = signed(x, at, normal)
                 pressure, slope = pressure_law(gap, stiffness, onset)
                 if pressure == 0.0:
                     continue
@@ -204,7 +133,7 @@ def add_facing(
                 if not touched:
                     block[:] = 0.0
                     touched = True
-                turning = w * min(pressure, MOST_TURNING * stiffness * onset)
+                turning = w * min(pressure, most_turning)
                 _add_second(block, gap, turning, w * slope, gradient, along, turn, at, normal)
             if touched:
                 complete &= scatter_block(both, block, dof, indptr, indices, values)
@@ -230,8 +159,8 @@ def _add_second(
     T^T), from the second derivative of the least distance with its local coordinates eliminated.
     """
     m, k = np.empty((2, 2)), np.empty((2, 2))
-    m[0, 0], m[1, 1], m[0, 1] = _dot(at[1], at[1]), _dot(at[2], at[2]), _dot(at[1], at[2])
-    k[0, 0], k[1, 1], k[0, 1] = _dot(normal, at[3]), _dot(normal, at[4]), _dot(normal, at[5])
+    m[0, 0], m[1, 1], m[0, 1] = dot(at[1], at[1]), dot(at[2], at[2]), dot(at[1], at[2])
+    k[0, 0], k[1, 1], k[0, 1] = dot(normal, at[3]), dot(normal, at[4]), dot(normal, at[5])
     m[1, 0], k[1, 0] = m[0, 1], k[0, 1]
     h = _inverse(m - gap * k)
     bend = _product(_product(_inverse(m), k), h)

@@ -1,0 +1,142 @@
+"""The path on the coarsest mesh, with only the effects that a question calls for; what it comes to
+need on the way is switched on, and the path goes on from the last state before."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from actuators.geometry import Body
+from actuators.mechanics.continuum.climb import SHARE_OF_PATH, Climb
+from actuators.mechanics.continuum.goal import Goal
+from actuators.mechanics.continuum.guard import Guard
+from actuators.mechanics.continuum.law_check import law_difference
+from actuators.mechanics.continuum.level import Level, open_level
+from actuators.mechanics.continuum.levels import Layers
+from actuators.mechanics.continuum.newton import Equilibrium
+from actuators.mechanics.continuum.path import Path, PathFollower
+from actuators.mechanics.continuum.progress import Monitor
+from actuators.mechanics.continuum.recovery import Answer
+from actuators.mechanics.effects import EffectPlan
+from actuators.mechanics.effects.words import percent
+from actuators.mechanics.response import Outcome
+from actuators.meshing import HexMesh, mesh_body
+
+WATCHED = ("self_contact", "plate_contact", "cylinder_contact")
+
+
+class WatchedRun:
+    """A nonlinear solve of ``body`` after ``plan``, which it amends; ``plan`` says in the end what
+    the answer holds, ``path_done`` when the coarse path was found [s]."""
+
+    def __init__(self, body: Body, plan: EffectPlan, goal: Goal, monitor: Monitor) -> None:
+        self._body, self._goal, self._monitor = body, goal, monitor
+        self.plan = plan
+        self.path_done = 0.0
+
+    def answer(self, layers: Layers, ladder: Sequence[Layers], accuracy: float) -> Answer:
+        """The path on the mesh of ``layers``, carried up the ``ladder`` to ``accuracy``."""
+        mesh = mesh_body(self._body, layers=layers)
+        level, path = self._path(mesh)
+        if self._left_law_behind(level, path):
+            level, path = self._path(mesh)
+        self.path_done = self._monitor.elapsed
+        while True:
+            climb = Climb(self._body, self.plan.applied, ladder, self._goal, self._monitor)
+            answer = climb.answer(level, path, accuracy)
+            if not self._alarmed_by(answer):
+                return answer
+            level = open_level(mesh, self.plan.applied)
+
+    def _path(self, mesh: HexMesh) -> tuple[Level, Path]:
+        """Path on one mesh. Every round switches on at least one effect, or is the last."""
+        done: Path | None = None
+        before: list[Equilibrium] = []
+        while True:
+            level = open_level(mesh, self.plan.applied)
+            guard = Guard(mesh, self.plan.scene, self._watched())
+            guard.before = before
+            follower = PathFollower(
+                level.system, level.solver, stop=self._stop(guard), watch=self._watch,
+                seen=guard.see,
+            )  # fmt: skip
+            if done is None or not before:
+                self._begin(level)
+                path = follower.reach(self._goal)
+            else:
+                path = _joined(done, follower.resume(before, done.points[0], self._goal))
+            if guard.alarm is None or guard.at is None:
+                return level, path
+            self._switch_on(guard.alarm.name, guard.alarm.seen, guard.at.pressure)
+            before = guard.before
+            done = _until(path, guard.at)
+
+    def _watched(self) -> list[str]:
+        return [name for name in WATCHED if self.plan.watched(name)]
+
+    def _switch_on(self, name: str, seen: str, pressure: float) -> None:
+        words = f"switched on during the run at {pressure / 1e3:.3g} kPa, where {seen}"
+        self.plan = self.plan.switched_on(name, words)
+        self._monitor.report(0.0, f"{name.replace('_', ' ')} {words}", pressure)
+
+    def _alarmed_by(self, answer: Answer) -> bool:
+        """Whether a finer mesh came to touch where the coarse one stayed apart."""
+        guard = Guard(answer.system.mesh, self.plan.scene, self._watched())
+        for found in answer.path.points:
+            guard.see(found)
+        if guard.alarm is None or guard.at is None:
+            return False
+        self._switch_on(guard.alarm.name, guard.alarm.seen, guard.at.pressure)
+        return True
+
+    def _left_law_behind(self, level: Level, path: Path) -> bool:
+        """Whether the true laws differ too much from those computed in the last state."""
+        decision = self.plan.by_name["hyperelasticity"]
+        if decision.on or decision.forced == "off" or not decision.change or not path.points:
+            return False
+        last = path.points[-1]
+        change = law_difference(level.system, last.state)
+        if change <= self.plan.threshold:
+            return False
+        words = (
+            "switched on after a first run: the laws differed by "
+            f"{percent(change)} in the energy at {last.pressure / 1e3:.3g} kPa"
+        )
+        self.plan = self.plan.switched_on("hyperelasticity", words, change=change)
+        return True
+
+    def _stop(self, guard: Guard) -> Callable[[], Outcome | None]:
+        return lambda: Outcome.CANCELLED if guard.alarm is not None else self._monitor.stop()
+
+    def _begin(self, level: Level) -> None:
+        scene = self.plan.applied
+        loaded = scene.gravity or scene.tip_force or scene.outside_pressure
+        first = "own weight and loads" if loaded else "first step"
+        self._monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
+
+    def _watch(self, share: float, pressure: float) -> None:
+        message = f"coarse mesh at {pressure / 1e3:.3g} kPa"
+        self._monitor.report(SHARE_OF_PATH * share, message, pressure)
+
+
+def _until(path: Path, at: Equilibrium) -> Path:
+    """The part of a path before the state ``at``, in the direction of its volumes."""
+    points = path.points
+    if len(points) < 2:
+        return replace(path, points=[p for p in points if p is not at])
+    sign = np.sign(at.volume - points[0].volume) or 1.0
+    kept = [p for p in points if p is not at and sign * (at.volume - p.volume) > 0.0]
+    limit = path.limit
+    if limit is not None and sign * (at.volume - limit.volume) <= 0.0:
+        limit = None
+    return replace(path, points=kept, limit=limit, beyond=None, by_arc=0)
+
+
+def _joined(first: Path, rest: Path) -> Path:
+    """``first`` and what was found after it."""
+    return replace(
+        rest,
+        points=[*first.points, *rest.points],
+        limit=first.limit or rest.limit,
+        iterations=first.iterations + rest.iterations,
+    )
