@@ -5,28 +5,24 @@ top. Node n of a mesh is node n + 1 of its deck; the nodes that a 20- or 8-node 
 have are left out.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from actuators.design.base import Design
 from actuators.errors import QuestionError
+from actuators.export.deck_limits import not_in_a_deck
+from actuators.export.inp_contact import (
+    interaction_cards,
+    wall_cards,
+    wall_pairs,
+)
+from actuators.export.inp_lines import ELEMENTS, MM, MPA, SIDES, node_rows, rows
 from actuators.export.inp_material import material_card
+from actuators.export.inp_sheet import sheet_cards
 from actuators.materials import Material
 from actuators.mechanics.scene import Scene
 from actuators.meshing import Faces, HexMesh
-
-_CORNERS = (0, 2, 8, 6, 18, 20, 26, 24)
-_EDGES = (1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15)
-ELEMENTS: Mapping[str, tuple[int, ...]] = {
-    "C3D20R": (*_CORNERS, *_EDGES),
-    "C3D20": (*_CORNERS, *_EDGES),
-    "C3D8": _CORNERS,
-}
-"""Element types and the local nodes (i + 3 j + 9 k) they keep, in Abaqus's order."""
-_SIDES = (6, 4, 3, 5, 1, 2)
-"""Abaqus's number of our faces x-, x+, y-, y+, z-, z+."""
-_MM, _MPA = 1e3, 1e-6
 
 
 def deck(
@@ -42,30 +38,31 @@ def deck(
     chosen = mesh.elements[:, ELEMENTS[element]]
     kept = np.unique(chosen)
     names = [_name(region.name) for region in mesh.regions]
-    lines = [*_heading(heading, mesh, scene, element), "*NODE, NSET=NALL"]
-    lines += [
-        f"{n + 1}, {x:.9g}, {y:.9g}, {z:.9g}"
-        for n, (x, y, z) in zip(kept, mesh.nodes[kept] * _MM, strict=True)
-    ]
+    walls = () if scene.self_contact == "off" else wall_pairs(mesh)
+    lines = [*_heading(heading, mesh, scene, element, len(walls)), "*NODE, NSET=NALL"]
+    lines += node_rows(kept + 1, mesh.nodes[kept])
     for number, name in enumerate(names):
         lines.append(f"*ELEMENT, TYPE={element}, ELSET={name}")
         for m in np.flatnonzero(mesh.region == number):
-            lines += _rows([m + 1, *(chosen[m] + 1)], 16)
-    lines += ["*ELSET, ELSET=EALL", *_rows(names, 1)]
+            lines += rows([m + 1, *(chosen[m] + 1)], 16)
+    lines += ["*ELSET, ELSET=EALL", *rows(names, 1)]
     for name, nodes in _node_sets(mesh).items():
         present = np.intersect1d(nodes, kept) + 1
         if len(present):
-            lines += [f"*NSET, NSET={name}", *_rows(present, 16)]
+            lines += [f"*NSET, NSET={name}", *rows(present, 16)]
     cavity = _face_sets("CAVITY", mesh.cavity_faces, mesh)
     loaded = dict(cavity)
     if scene.outside_pressure:
         loaded |= _face_sets("UNDERSIDE", _underside(mesh), mesh)
     for name, (_, elements) in loaded.items():
-        lines += [f"*ELSET, ELSET={name}", *_rows(elements + 1, 16)]
+        lines += [f"*ELSET, ELSET={name}", *rows(elements + 1, 16)]
     for name, region, material in zip(names, mesh.regions, materials, strict=True):
         card = f"M-{name}"[:80]
         lines += [f"** region: {region.name}", *material_card(material, card)]
         lines.append(f"*SOLID SECTION, ELSET={name}, MATERIAL={card}")
+    lines += sheet_cards(mesh, element, len(mesh.elements) + 1)
+    if walls:
+        lines += [*interaction_cards(mesh, materials, scene), *wall_cards(walls)]
     lines += ["*BOUNDARY", "CLAMP, 1, 3"]
     if mesh.is_half:
         lines.append("SYMMETRY, 2, 2")
@@ -73,7 +70,7 @@ def deck(
     if before:
         lines += ["** step 1: what acts before inflation", *_step(before)]
     lines += ["** inflation: the pressure turns and stretches with the walls"]
-    pressure = (scene.pressure_to or 0.0) * _MPA
+    pressure = (scene.pressure_to or 0.0) * MPA
     lines += _step(["*DLOAD", *_pressures("CAVITY", cavity, pressure)])
     return "\n".join(lines) + "\n"
 
@@ -84,23 +81,14 @@ def _refuse(mesh: HexMesh, scene: Scene, element: str) -> None:
             f"element is {element!r}; a deck has {', '.join(ELEMENTS)}.",
             field="element", value=element, mend=f"Use one of {', '.join(ELEMENTS)}.",
         )  # fmt: skip
-    held = {
-        "volume_ml": (scene.volume_to is not None, "Prescribe a pressure instead"),
-        "plate": (scene.plate is not None, "Leave the plate out"),
-        "cylinder": (scene.cylinder is not None, "Leave the cylinder out"),
-        "self_contact": (scene.self_contact == "on", "Set self_contact to auto or off"),
-        "layer": (len(mesh.membrane_faces) > 0, "Set layer=none"),
-    }
-    for field, (present, mend) in held.items():
-        if present:
-            raise QuestionError(
-                f"what is inp, but a deck of this version cannot carry {field}: it holds pressure, "
-                f"gravity, outside pressure and a tip force. {mend}, or export vtu.",
-                field=field, value="inp", mend=f"{mend}, or export vtu.",
-            )  # fmt: skip
+    refused = not_in_a_deck(scene)
+    if refused is not None:
+        raise refused
 
 
-def _heading(lines: Sequence[str], mesh: HexMesh, scene: Scene, element: str) -> list[str]:
+def _heading(
+    lines: Sequence[str], mesh: HexMesh, scene: Scene, element: str, walls: int
+) -> list[str]:
     out = ["*HEADING", *(lines or ["Pneumatic actuator"])]
     out += [
         "** Units: N, mm, MPa, tonne, s (density in tonne/mm3, acceleration in mm/s2).",
@@ -108,24 +96,19 @@ def _heading(lines: Sequence[str], mesh: HexMesh, scene: Scene, element: str) ->
         f"** {len(mesh.elements)} elements {element}"
         + ("; half model, X2 = 0 is a plane of symmetry." if mesh.is_half else "."),
         "** CalculiX: ccx NAME (without .inp). Abaqus: C3D20RH in place of C3D20R suits nearly",
-        "** incompressible rubber better. Walls that meet pass through each other here.",
+        "** incompressible rubber better.",
+        f"** Contact without friction: {walls} pairs of walls that face each other across a gap;\n"
+        "** other surfaces that meet (a curled underside) pass through each other."
+        if walls
+        else "** No contact of the body with itself: surfaces that meet pass through each other.",
     ]
     if scene.pressure_to is not None:
-        out.append(f"** Cavity pressure at the end: {scene.pressure_to * _MPA:.9g} MPa.")
+        out.append(f"** Cavity pressure at the end: {scene.pressure_to * MPA:.9g} MPa.")
     return out
 
 
 def _name(text: str) -> str:
     return "".join(c if c.isalnum() else "_" for c in text.upper())
-
-
-def _rows(values: Iterable[object], width: int) -> list[str]:
-    """Lines of ``width`` entries; a line that goes on ends in a comma where it must."""
-    texts = [str(value) for value in values]
-    rows = [texts[k : k + width] for k in range(0, len(texts), width)]
-    return [", ".join(row) + ("," if width > 1 else "") for row in rows[:-1]] + [
-        ", ".join(rows[-1])
-    ]
 
 
 def _node_sets(mesh: HexMesh) -> dict[str, np.ndarray]:
@@ -142,7 +125,7 @@ def _face_sets(prefix: str, faces: Faces, mesh: HexMesh) -> dict[str, tuple[int,
     """Abaqus's side number and the elements of each set, by the set's name."""
     return {
         f"{prefix}_P{side}": (side, np.unique(faces.element[faces.local == local]))
-        for local, side in enumerate(_SIDES)
+        for local, side in enumerate(SIDES)
         if (faces.local == local).any()
     }
 
@@ -174,9 +157,9 @@ def _loads_before(
     size = float(np.linalg.norm(scene.gravity)) if scene.gravity is not None else 0.0
     if scene.gravity is not None and size > 0:
         x, y, z = (g / size for g in scene.gravity)
-        distributed.append(f"EALL, GRAV, {size * _MM:.9g}, {x:.9g}, {y:.9g}, {z:.9g}")
+        distributed.append(f"EALL, GRAV, {size * MM:.9g}, {x:.9g}, {y:.9g}, {z:.9g}")
     if scene.outside_pressure:
-        distributed += _pressures("UNDERSIDE", sets, scene.outside_pressure * _MPA)
+        distributed += _pressures("UNDERSIDE", sets, scene.outside_pressure * MPA)
     lines = ["*DLOAD", *distributed] if distributed else []
     if scene.tip_force is not None:
         lines += ["*CLOAD", *_tip_loads(mesh, np.array(scene.tip_force), element)]

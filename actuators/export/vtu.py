@@ -23,6 +23,11 @@ NODE_ORDER = (
 )  # fmt: skip
 """Our local node i + 3 j + 9 k at each of VTK's: corners, edges, faces (x-, x+, y-, y+, z-, z+) and
 the middle."""
+_COMPONENTS = {
+    "displacement_mm": ("X", "Y", "Z"),
+    "principal_stretches": ("largest", "middle", "smallest"),
+    "cauchy_stress_kPa": ("XX", "YY", "ZZ", "XY", "YZ", "XZ"),
+}
 _BLOCK = 1 << 20
 _NAMES = {"f8": "Float64", "f4": "Float32", "i8": "Int64", "i4": "Int32", "u1": "UInt8"}
 
@@ -87,7 +92,7 @@ def unstructured_grid(
     root, piece = _grid(f"{title}; regions: {named}", state.pressure, len(mesh.nodes), count)
     data = ET.SubElement(piece, "PointData", {"Vectors": "displacement_mm"})
     for name, values in _point_data(state).items():
-        _array(data, name, values)
+        _array(data, name, values, components=_COMPONENTS.get(name, ()))
     _array(ET.SubElement(piece, "CellData"), "region", mesh.region.astype("<i4"))
     _array(ET.SubElement(piece, "Points"), "points_mm", mesh.nodes * 1e3)
     cells = ET.SubElement(piece, "Cells")
@@ -124,10 +129,18 @@ def _point_data(state: VolumeState) -> dict[str, np.ndarray]:
     return data
 
 
-def _array(parent: ET.Element, name: str, values: np.ndarray, tuples: int | None = None) -> None:
+def _array(
+    parent: ET.Element,
+    name: str,
+    values: np.ndarray,
+    tuples: int | None = None,
+    components: Sequence[str] = (),
+) -> None:
     attributes = {"type": _NAMES[values.dtype.str[1:]], "Name": name, "format": "binary"}
     if values.ndim == 2:
         attributes["NumberOfComponents"] = str(values.shape[1])
+    for number, component in enumerate(components):
+        attributes[f"ComponentName{number}"] = component
     if tuples is not None:
         attributes["NumberOfTuples"] = str(tuples)
     ET.SubElement(parent, "DataArray", attributes).text = _packed(values)

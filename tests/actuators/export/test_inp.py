@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,13 +12,18 @@ import pytest
 from actuators.design import preset
 from actuators.errors import QuestionError
 from actuators.export import ModelQuestion, write
-from actuators.export.inp import ELEMENTS, deck
+from actuators.export.inp import deck
+from actuators.export.inp_contact import wall_pairs
+from actuators.export.inp_lines import ELEMENTS, middles
 from actuators.export.inp_material import material_card
-from actuators.materials import CATALOGUE, Material, Ogden
+from actuators.export.inp_sheet import sheet_cards
+from actuators.geometry import Membrane, build_body
+from actuators.materials import CATALOGUE, Material, Ogden, material
 from actuators.mechanics.continuum.path import PathFollower
+from actuators.mechanics.continuum.solve import solve
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import open_solver
-from actuators.mechanics.scene import Scene
+from actuators.mechanics.scene import Cylinder, Plate, Scene
 from actuators.meshing import HexMesh, mesh_body
 from benchmarks.mini_pneu_net import GRAVITY, MATERIALS, mini_pneu_net
 
@@ -27,11 +33,11 @@ needs_ccx = pytest.mark.skipif(
 )
 
 
-def run_ccx(folder: Path, text: str) -> list[list[float]]:
+def run_ccx(folder: Path, text: str, timeout: float = 120) -> list[list[float]]:
     """Numbers printed into the .dat file, row by row."""
     (folder / "model.inp").write_text(text)
     done = subprocess.run(
-        ["ccx", "model"], cwd=folder, capture_output=True, text=True, check=False, timeout=120,
+        ["ccx", "model"], cwd=folder, capture_output=True, text=True, check=False, timeout=timeout,
         env={**os.environ, "OMP_NUM_THREADS": "1"},
     )  # fmt: skip
     assert done.returncode == 0, done.stdout[-2000:]
@@ -100,6 +106,79 @@ def test_calculix_comes_nearer_on_finer_meshes(tmp_path: Path) -> None:
         differences.append(float(np.linalg.norm(theirs - ours) / np.linalg.norm(ours)))
     assert differences[0] > differences[1] > differences[2]
     assert differences[2] < 0.02
+
+
+@needs_ccx
+def test_calculix_bends_a_body_on_a_sheet_as_we_do(tmp_path: Path) -> None:
+    """The sheet halves the bending; what is left is the element's difference."""
+    stiffness = 1000 * MATERIALS[0].youngs_modulus * 0.5e-3
+    body = replace(mini_pneu_net(), membranes=(Membrane("sheet", 0.0, stiffness),)).half()
+    mesh = mesh_body(body)
+    assert len(mesh.membrane_faces) > 0
+    ours, theirs = own_tip(mesh, 1e3), calculix_tip(mesh, 1e3, "C3D20R", tmp_path)
+    without = own_tip(mesh_body(mini_pneu_net().half()), 1e3)
+    difference = np.linalg.norm(theirs - ours) / np.linalg.norm(ours)
+    assert difference < 0.10
+    assert np.linalg.norm(without - ours) > 2 * np.linalg.norm(theirs - ours)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_springs_of_a_sheet_hold_its_whole_stiffness(element: str) -> None:
+    """Of springs k = K w / l on strips of length l and width w, the sum of k l^2 is K times the
+    area."""
+    stiffness = 3e4
+    body = replace(mini_pneu_net(), membranes=(Membrane("sheet", 3.5e-3, stiffness),)).half()
+    mesh = mesh_body(body)
+    lines = sheet_cards(mesh, element, 1000)
+    values = iter([float(lines[k + 2]) for k, line in enumerate(lines) if line[:7] == "*SPRING"])
+    total, here = 0.0, 0.0
+    squares: list[float] = []
+    for line in [*lines, "*ELEMENT"]:
+        if line.startswith("*SPRING"):
+            here = next(values)
+            total += here * sum(squares)
+            squares = []
+        elif line[:1].isdigit() and line.count(",") == 2:
+            a, b = (mesh.nodes[int(n) - 1] for n in line.split(",")[1:])
+            assert a[1] == b[1], "a spring lies along X1"
+            squares.append(float(np.sum((b - a) ** 2)))
+    # the mini pneu-net's sheet is 80 mm long and 10 mm wide in its half
+    assert total == pytest.approx(stiffness * 1e-3 * 80e-3 * 10e-3, rel=1e-5)
+
+
+@needs_ccx
+@pytest.mark.slow
+def test_calculix_stops_walls_that_meet_as_we_do(tmp_path: Path) -> None:
+    """Two chambers on a sheet at 100 kPa: their walls push each other apart and bend the body
+    more (27 %) than walls that pass through each other."""
+    design = preset("printed-14").design.changed(chamber_count=2, length=20, gap=0.3)
+    mesh = mesh_body(build_body(design).half())
+    materials = [material(region.material) for region in mesh.regions]
+    pairs = wall_pairs(mesh)
+    assert len(pairs) == 3, "two chambers stand between two solid ends"
+    rows = run_ccx(tmp_path, deck(mesh, materials, Scene(100e3)), timeout=600)
+    theirs = np.array(rows[-1][1:4]) * 1e-3
+    touching, passing = (
+        np.array(solve(design, Scene(100e3, self_contact=how), mesh="coarse").path[-1]
+                 .tip_displacement) for how in ("on", "off")
+    )  # fmt: skip
+    assert np.linalg.norm(theirs - touching) < 0.06 * np.linalg.norm(touching)
+    assert np.linalg.norm(theirs - touching) < 0.3 * np.linalg.norm(passing - touching)
+
+
+@pytest.mark.parametrize(("name", "gaps"), [("oblique-45", 4), ("bellows-9-1.6", 8),
+                                            ("slab-rectangle-low", 0)])  # fmt: skip
+def test_walls_are_paired_across_each_gap(name: str, gaps: int) -> None:
+    design = preset(name).design
+    mesh = mesh_body(build_body(design))
+    pairs = wall_pairs(mesh)
+    assert len(pairs) >= gaps if gaps else len(pairs) == 0
+    for pair in pairs:
+        back, _ = middles(mesh, pair.backward)
+        front, normal = middles(mesh, pair.forward)
+        assert (normal[:, 0] > 0).all()
+        assert not np.intersect1d(pair.forward.nodes, pair.backward.nodes).size
+        assert np.abs(back.mean(axis=0) - front.mean(axis=0))[0] < 5e-3
 
 
 def sections(text: str) -> dict[str, list[str]]:
@@ -176,14 +255,13 @@ def test_what_a_deck_cannot_carry_is_refused() -> None:
     design = preset("oblique-45").design
     for question, field in (
         (ModelQuestion(Scene(volume_to=1e-5)), "volume_ml"),
-        (ModelQuestion(Scene(10e3, self_contact="on")), "self_contact"),
+        (ModelQuestion(Scene(10e3, plate=Plate(5e-3))), "plate"),
+        (ModelQuestion(Scene(10e3, cylinder=Cylinder(5e-3, (0.05, 0.0, -0.02)))), "cylinder"),
         (ModelQuestion(Scene(10e3), element="C3D4"), "element"),
         (ModelQuestion(Scene(10e3), mesh="huge"), "mesh"),
     ):
         with pytest.raises(QuestionError) as caught:
             write(design, "inp", question)
         assert caught.value.field == field
-    with pytest.raises(QuestionError, match="layer=none"):
-        write(preset("printed-14").design, "inp", ModelQuestion(Scene(10e3)))
     with pytest.raises(QuestionError, match="made for one scene"):
         write(design, "inp")

@@ -50,6 +50,13 @@ def test_the_series_lists_every_point_with_its_pressure(files: dict[str, bytes])
     assert len(document["path"]) == len(entries)
 
 
+def test_components_are_named(files: dict[str, bytes]) -> None:
+    found = ET.parse(io.BytesIO(files["answer-000.vtu"])).iter("DataArray")
+    stress = next(a for a in found if a.attrib["Name"] == "cauchy_stress_kPa").attrib
+    names = [stress[f"ComponentName{k}"] for k in range(6)]
+    assert names == ["XX", "YY", "ZZ", "XY", "YZ", "XZ"]
+
+
 def test_cells_are_the_rubber(last: Any) -> None:
     """Volume of both halves by Gauss points and VTK's own node places."""
     assert [block.type for block in last.cells] == ["hexahedron27"]
