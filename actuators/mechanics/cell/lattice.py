@@ -59,11 +59,13 @@ class HalfCell:
         return self.corner[:, None] + np.einsum("nij,aj->nai", self.jacobian, local)
 
 
-def half_cell(body: Body, parts: Sequence[Sequence[Sequence[float]]]) -> HalfCell:
+def half_cell(
+    body: Body, parts: Sequence[Sequence[Sequence[float]]], *, rolled: bool = True
+) -> HalfCell:
     """Lattice of one chamber. ``parts``: per axis and per interval the fractions of the interval
     that its elements take, as :func:`intervals` lists the intervals; those along x read the same
     backwards."""
-    x, y, z, fill = intervals(body)
+    x, y, z, fill = intervals(body, rolled=rolled)
     lines = [divide(line, p) for line, p in zip((x, y, z), parts, strict=True)]
     for axis in range(3):
         fill = np.repeat(fill, [len(f) for f in parts[axis]], axis=axis)
@@ -86,7 +88,7 @@ def half_cell(body: Body, parts: Sequence[Sequence[Sequence[float]]]) -> HalfCel
     twin = ids.copy()
     # all of a curved lattice mirrors about the chamber's middle, of a straight one (see
     # ``intervals``) all but the last interval
-    turn = nx if body.curved else nx - len(parts[0][-1])
+    turn = nx if body.curved or not rolled else nx - len(parts[0][-1])
     twin[:, 0] = ids[(2 * turn - np.arange(periodic)) % periodic, 0]
     return HalfCell(
         nodes,
@@ -128,21 +130,23 @@ def _sheets(body: Body, heights: np.ndarray, fill: np.ndarray) -> np.ndarray:
     return found.reshape(2, -1)
 
 
-def intervals(body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def intervals(
+    body: Body, *, rolled: bool = True
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Lattice lines (x, y >= 0, z) and fill of the half cell. Along x it begins at the end of the
     body's first interval and closes with the first and last intervals as one, across the period:
     a wall or gap shared with the next chamber needs no border in its middle. Curved lattices keep
-    it: no element bends around it."""
+    it: no element bends around it; so do those not to be ``rolled``."""
     x, y, z = body.lines
     if body.period is None or not np.array_equal(body.fill[0], body.fill[-1]):
         raise ValueError("a periodic cell must begin and end with the same filling")
     upper = np.flatnonzero(y > 0)
     across = np.concatenate([[0.0], y[upper]])
-    if body.curved:
+    if body.curved or not rolled:
         return x, across, z, body.fill[:, upper - 1]
-    rolled = np.concatenate([x[1:-1], [x[1] + body.period]])
+    around = np.concatenate([x[1:-1], [x[1] + body.period]])
     fill = np.concatenate([body.fill[1:-1], body.fill[:1]])
-    return rolled, across, z, fill[:, upper - 1]
+    return around, across, z, fill[:, upper - 1]
 
 
 def divide(lines: np.ndarray, parts: Sequence[Sequence[float]]) -> np.ndarray:

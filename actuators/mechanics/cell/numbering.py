@@ -4,13 +4,13 @@ All of it depends on the topology only (fill and element counts), so it is kept:
 changes a dimension pays for numbers alone.
 """
 
-from collections import OrderedDict
 from dataclasses import dataclass
 from threading import Lock
 from typing import Literal
 
 import numpy as np
 
+from actuators.mechanics.cell.kept import Kept
 from actuators.mechanics.cell.lattice import HalfCell
 from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 
@@ -19,7 +19,6 @@ Parity = Literal["even", "odd"]
 about X2) are unchanged by it, ``odd`` ones (bending about X3) change sign."""
 
 _TIE = {"even": np.array([-1.0, -1.0, 1.0]), "odd": np.array([1.0, 1.0, -1.0])}
-_KEEP = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,24 +62,13 @@ class Numbering:
         return np.append(unknowns, 0.0)[self.dofs] * self.signs
 
 
-_numberings: OrderedDict[tuple[object, ...], Numbering] = OrderedDict()
-_lock = Lock()
+_numberings: Kept[Numbering] = Kept(64)
 
 
 def numbering(cell: HalfCell, parity: Parity) -> Numbering:
     """The numbering of the cell's topology, kept from last time where there was one."""
     key = (cell.shape, cell.turn, cell.fill.tobytes(), parity)
-    with _lock:
-        found = _numberings.get(key)
-        if found is not None:
-            _numberings.move_to_end(key)
-            return found
-    made = _number(cell, parity)
-    with _lock:
-        _numberings[key] = made
-        while len(_numberings) > _KEEP:
-            _numberings.popitem(last=False)
-    return made
+    return _numberings.get(key, lambda: _number(cell, parity))
 
 
 def _number(cell: HalfCell, parity: Parity) -> Numbering:

@@ -21,6 +21,7 @@ import numpy as np
 from actuators.geometry import CAVITY, OUTSIDE, Body
 from actuators.materials import Material
 from actuators.mechanics.cell import curved, element
+from actuators.mechanics.cell.gap import wall_closing
 from actuators.mechanics.cell.lattice import HalfCell, curved_nodes, divide, half_cell, intervals
 from actuators.mechanics.cell.numbering import numbering
 from actuators.mechanics.cell.sheet import BOTTOM_FACE, TOP_FACE, add_sheets
@@ -48,6 +49,7 @@ class CellResponse:
     cavity_volume: float
     cavity_compliance: float
     largest_strain: float
+    gap_closing: float
     unknowns: int
 
 
@@ -67,7 +69,7 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     bulk = np.array([m.finite_bulk_modulus for m in materials])
 
     cell = half_cell(body, _equal_parts(mesh.even))
-    fields = _rod_fields(cell.coordinates())
+    fields = rod_fields(cell.coordinates())
     elements, energy, coupling = _element_energies(cell, fields, shear, bulk)
     if cell.position is None:
         pressure = element.divergence(cell.jacobian[cell.cavity])[:, 0, :, None]
@@ -88,7 +90,7 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
     free = np.linalg.solve(condensed, load)  # both for the half cell
     growth = float(right[:, 0] @ correction[:, 0] + load @ free)
     motion = correction[:, 0] + correction[:, 1:] @ free[list(EVEN)]
-    local = even.spread(motion)[cell.solid] + fields[cell.solid] @ free
+    everywhere = even.spread(motion) + fields @ free
     # the growth of a volume under a uniform swelling of 1 is three times the volume
     air = np.einsum("nai,nai->", cell.coordinates()[cell.cavity],
                     pressure.reshape(-1, element.NODES, 3)) / 3  # fmt: skip
@@ -98,7 +100,8 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
         stiffness=2 * condensed / body.period,
         cavity_volume=float(2 * air),
         cavity_compliance=2 * growth,
-        largest_strain=_largest_strain(cell, local),
+        largest_strain=_largest_strain(cell, everywhere[cell.solid]),
+        gap_closing=wall_closing(cell, body.period, everywhere, free),
         unknowns=even.count,
     )
 
@@ -106,7 +109,7 @@ def solve_cell(body: Body, materials: tuple[Material, ...], mesh: CellMesh) -> C
 def _bending_about_x3(body: Body, shear: np.ndarray, bulk: np.ndarray, mesh: CellMesh) -> float:
     """Stiffness of the half cell against bending about X3, per curvature squared [N m3]."""
     cell = half_cell(body, _equal_parts(mesh.odd))
-    fields = _rod_fields(cell.coordinates())
+    fields = rod_fields(cell.coordinates())
     elements, energy, coupling = _element_energies(cell, fields, shear, bulk)
     odd = numbering(cell, "odd")
     right = -odd.gather(coupling[..., 3:], cell.solid)
@@ -119,6 +122,15 @@ def _element_energies(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of the solid elements: stiffness (m, 81, 81), energy of the rod strains (4, 4), forces that
     they raise (m, 81, 4)."""
+    elements = cell_elements(cell, shear, bulk)
+    solid = fields[cell.solid]
+    coupling = elements @ solid
+    energy = np.tensordot(solid, coupling, axes=([0, 1], [0, 1]))
+    return elements, energy, coupling
+
+
+def cell_elements(cell: HalfCell, shear: np.ndarray, bulk: np.ndarray) -> np.ndarray:
+    """Stiffness (m, 81, 81) of the solid elements, embedded sheets included; moduli by region."""
     region = cell.fill[cell.solid]
     if cell.position is None:
         elements = element.stiffness(cell.jacobian[cell.solid], shear[region], bulk[region])
@@ -128,13 +140,10 @@ def _element_energies(
         position = cell.coordinates()[cell.solid]
         for side, nodes in zip(cell.sheets, (BOTTOM_FACE, TOP_FACE), strict=True):
             add_sheets(elements, position, nodes, side[cell.solid])
-    solid = fields[cell.solid]
-    coupling = elements @ solid
-    energy = np.tensordot(solid, coupling, axes=([0, 1], [0, 1]))
-    return elements, energy, coupling
+    return elements
 
 
-def _rod_fields(position: np.ndarray) -> np.ndarray:
+def rod_fields(position: np.ndarray) -> np.ndarray:
     """Displacement of unit rod strains at nodes (n, 27, 3) [m], shape (n, 81, 4)."""
     x, y, z = np.moveaxis(position, -1, 0)
     field = np.zeros((*position.shape, 4))

@@ -23,7 +23,8 @@ class ChamberRow:
     ``free``: (n, 4) rod strains per pressure; ``stiffness``: (n, 4, 4); ``line_mass``: (n,) [kg/m];
     ``mass_height``: (n,) height of the centre of mass [m]; ``cavity_volume``: (n,) [m3];
     ``cavity_compliance``: (n,) [m3/Pa]; ``largest_strain``: largest principal strain per pressure
-    in any chamber [1/Pa]; ``unknowns``: of all cells. See :class:`.periodic.CellResponse`.
+    in any chamber [1/Pa]; ``gap_closing``: largest share of an open gap closed per pressure [1/Pa];
+    ``unknowns``: of all cells. See :class:`.periodic.CellResponse`.
     """
 
     start: np.ndarray
@@ -35,18 +36,14 @@ class ChamberRow:
     cavity_volume: np.ndarray
     cavity_compliance: np.ndarray
     largest_strain: float
+    gap_closing: float
     unknowns: int
 
 
 def chamber_row(design: Design) -> ChamberRow:
     """Every chamber of the design; chambers of one width share their cell."""
     start, pitch = pitch_starts(design)
-    if isinstance(design, (*BLOCK_FAMILIES, BellowsDesign)):
-        cells, weights = [build_cell(design, 0)], np.ones((design.chamber_count, 1))
-    elif isinstance(design, SlabDesign):
-        cells, weights = _slab_cells(design)
-    else:
-        raise TypeError(f"no periodic cell for {type(design).__name__}")
+    cells, weights = row_cells(design)
     answers = [cell_response(cell) for cell in cells]
     masses = np.array([_mass(cell) for cell in cells])
     mass, moment = (weights @ masses).T
@@ -64,8 +61,18 @@ def chamber_row(design: Design) -> ChamberRow:
         cavity_volume=along([a.cavity_volume for a in answers]),
         cavity_compliance=along([a.cavity_compliance for a in answers]),
         largest_strain=max(a.largest_strain for a in answers),
+        gap_closing=max(a.gap_closing for a in answers),
         unknowns=sum(a.unknowns for a in answers),
     )
+
+
+def row_cells(design: Design) -> tuple[list[Body], np.ndarray]:
+    """Cells that answer for the chambers, and their weights (n, cells) in each one's answer."""
+    if isinstance(design, (*BLOCK_FAMILIES, BellowsDesign)):
+        return [build_cell(design, 0)], np.ones((design.chamber_count, 1))
+    if isinstance(design, SlabDesign):
+        return _slab_cells(design)
+    raise TypeError(f"no periodic cell for {type(design).__name__}")
 
 
 def pitch_starts(design: Design) -> tuple[np.ndarray, float]:

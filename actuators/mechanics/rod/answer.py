@@ -22,7 +22,7 @@ def path_points(
     """
     tip = path.positions[:, -1]
     moved = tip - np.array([length.sum(), 0.0, 0.0])
-    turn = end_turn(path.frames)
+    turn = end_turn(path.frames, path.strains[..., 2] * length)
     angle = np.arctan2(-tip[:, 2], tip[:, 0])
     mean = np.einsum("ksi,s->ki", path.strains, length) / length.sum()
     weight = length * chambered

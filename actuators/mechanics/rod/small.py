@@ -83,3 +83,36 @@ def add_double_cross(n: np.ndarray, d: np.ndarray, factor: float, out: np.ndarra
         for j in range(3):
             out[i, j] += factor * d[i] * n[j]
         out[i, i] -= factor * dot
+
+
+@nb.njit(cache=True)
+def mean_and_slope(w: np.ndarray, v: np.ndarray, mean: np.ndarray, slope: np.ndarray) -> None:
+    """Mean of the rotation by ``w`` [rad] over the way there, which is also its left Jacobian, and
+    ``slope``: (3, 3) derivative of mean v to ``w``. By series where the angle vanishes."""
+    x = w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
+    if x < 0.25:
+        c = 0.5 - x / 24 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90 * (1 - x / 132))))
+        d = 1 / 6 - x / 120 * (1 - x / 42 * (1 - x / 72 * (1 - x / 110 * (1 - x / 156))))
+        dc = -1 / 12 + x / 180 * (1 - x * 3 / 112 * (1 - x * 2 / 135 * (1 - x * 5 / 528)))
+        dd = -1 / 60 + x / 1260 * (1 - x / 48 * (1 - x * 2 / 165 * (1 - x * 5 / 624)))
+    else:
+        a = math.sqrt(x)
+        s = math.sin(a) / a
+        c = 2 * math.sin(a / 2) ** 2 / x
+        d = (1 - s) / x
+        dc = (s - 2 * c) / x
+        dd = (c - 3 * d) / x
+    dot = w[0] * v[0] + w[1] * v[1] + w[2] * v[2]
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        across = w[j] * v[k] - w[k] * v[j]
+        twice = w[i] * dot - x * v[i]
+        # mean v = v + c w x v + d (w (w.v) - w.w v)
+        for b in range(3):
+            slope[i, b] = w[b] * (dc * across + dd * twice) + d * (w[i] * v[b] - 2 * w[b] * v[i])
+        slope[i, i] += d * dot
+        slope[i, j] += c * v[k]
+        slope[i, k] -= c * v[j]
+        mean[i, i] = 1 + d * (w[i] * w[i] - x)
+        mean[i, j] = -c * w[k] + d * w[i] * w[j]
+        mean[i, k] = c * w[j] + d * w[i] * w[k]

@@ -40,12 +40,17 @@ def follow_pressures(
     return RodPath(strains[:found], positions[:found], frames[:found], iterations)
 
 
-def end_turn(frames: np.ndarray) -> np.ndarray:
+def end_turn(frames: np.ndarray, bend: np.ndarray | None = None) -> np.ndarray:
     """Turn of the free end about X2 (k,) [rad], positive towards -X3, from frames (k, s + 1, 3, 3):
     the angle of the section's X1 in the X1-X3 plane, followed along the rod so that full turns
-    count."""
+    count. ``bend``: (k, s) what each piece bends about X2 [rad], where that may be half a turn and
+    more: two frames alone do not tell how often the rod has gone round between them."""
     along = np.arctan2(-frames[..., 2, 0], frames[..., 0, 0])
-    return np.unwrap(along, axis=-1)[..., -1]
+    if bend is None or np.abs(bend).max(initial=0.0) < np.pi:
+        return np.unwrap(along, axis=-1)[..., -1]
+    piece = np.diff(along, axis=-1)
+    piece += 2 * np.pi * np.round((bend - piece) / (2 * np.pi))
+    return along[..., 0] + piece.sum(axis=-1)
 
 
 def weightless(strains: np.ndarray, length: np.ndarray) -> RodPath:

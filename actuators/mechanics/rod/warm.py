@@ -7,5 +7,5 @@ from actuators.mechanics.scene import Scene
 
 if __name__ == "__main__":
     start = preset("slab-rectangle-low")
-    for rung in ("closed-form", "energy"):
+    for rung in ("closed-form", "energy", "cell-rod"):
         predict(start.design, Scene(start.pressure_to), rung=rung)

@@ -1,0 +1,1 @@
+"""Periodic cell and rod: the inflated chamber's own law, carried by a geometrically exact rod."""

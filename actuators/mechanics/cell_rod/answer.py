@@ -1,0 +1,212 @@
+"""Rung 3: the inflated periodic cell's law, carried by a geometrically exact rod.
+
+The cell gives each chamber's rod strains, tangent stiffness and cavity at every pressure; the rod
+puts weight, tip force, outside pressure and obstacles on them.
+"""
+
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from actuators.design import Design
+from actuators.geometry.volumes import exact_volumes
+from actuators.mechanics.cell.inflated import CellPath
+from actuators.mechanics.cell.row import ChamberRow, chamber_row
+from actuators.mechanics.cell_rod.cells import row_bending, row_paths, row_shear
+from actuators.mechanics.cell_rod.chambers import Chambers, inflated, reached
+from actuators.mechanics.cell_rod.grip import Grip, grip_of
+from actuators.mechanics.cell_rod.held import hold, shifted
+from actuators.mechanics.cell_rod.report import (
+    advice_of,
+    cell_rod_effects,
+    cell_rod_notes,
+    estimate,
+    trusted_to,
+)  # fmt: skip
+from actuators.mechanics.response import Outcome, PathPoint, Response
+from actuators.mechanics.rod.answer import centreline, path_points
+from actuators.mechanics.rod.follow import Laws, LoadedPath, follow_laws
+from actuators.mechanics.rod.pieces import Layout, layout_of
+from actuators.mechanics.rod.surroundings import chain_of, obstacles_of
+from actuators.mechanics.scene import Scene
+
+BENDING = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A path and what it was made from. ``volume``: (k,) of the cavity [m3]."""
+
+    pressures: np.ndarray
+    path: LoadedPath
+    chambers: Chambers
+    volume: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What stays the same while pressures are tried."""
+
+    design: Design
+    scene: Scene
+    row: ChamberRow
+    layout: Layout
+    paths: tuple[CellPath, ...]
+    weights: np.ndarray
+    shear: np.ndarray
+    bent: np.ndarray
+    grip: Grip | None
+
+    def solve(self, pressures: np.ndarray) -> Solved:
+        """Rod at every pressure (k,), as far as it finds equilibria."""
+        layout = self.layout
+        chambers = inflated(self.paths, self.weights, pressures)
+        laws = piece_laws(layout, chambers, self.shear, self.bent)
+        if self.grip is not None:
+            hold(laws, layout, chambers, self.grip)
+        moment = np.einsum("kab,kb->ka", laws.stiffness[-1], laws.free[-1])[:, 1:4]
+        obstacles = obstacles_of(
+            self.design, layout, self.scene, float(np.abs(moment).max(initial=0.0))
+        )
+        path = follow_laws(laws, chain_of(self.design, layout, self.scene), obstacles)
+        if self.grip is not None:
+            path = shifted(path, chambers, self.grip)
+        found = len(path.positions)
+        # weight and obstacles bend chambers, which changes their cavities a little
+        bent = path.strains[..., :4] - laws.free[:found, :, :4]
+        rate = chambers.volume_rate[:found][:, np.maximum(layout.chamber, 0)]
+        share = np.where(layout.chambered, layout.length / self.row.pitch, 0.0)
+        volume = exact_volumes(self.design).cavity + chambers.growth[:found].sum(axis=1)
+        volume = volume + np.einsum("ksa,ksa,s->k", rate, bent, share)
+        return Solved(pressures, path, chambers, volume)
+
+
+def piece_laws(layout: Layout, chambers: Chambers, shear: np.ndarray, bent: np.ndarray) -> Laws:
+    """Laws of the pieces at k pressures. ``shear``: (s, 2) stiffness along X2 and X3 [N];
+    ``bent``: (n,) relative growth of the chambers' bending compliance per curvature [m]."""
+    k, s = len(chambers.free), len(layout.length)
+    free, stiffness = np.zeros((k, s, 6)), np.zeros((k, s, 6, 6))
+    free[..., :4] = layout.free(chambers.free)
+    stiffness[..., :4, :4] = layout.stiffness(chambers.stiffness)
+    stiffness[..., 4, 4], stiffness[..., 5, 5] = shear[:, 0], shear[:, 1]
+    # solid ends hardly bend; a pitch that is cut off turns more for its length
+    inside = np.linalg.inv(chambers.stiffness)[..., BENDING, BENDING] ** 2 * bent
+    along = np.where(layout.chambered, layout.whole, 0.0)
+    return Laws(free, stiffness, inside[:, layout.chamber] * along)
+
+
+def answer(design: Design, scene: Scene, steps: int) -> Response:
+    """Path of ``design`` under ``scene`` in equal steps of pressure or volume."""
+    begun = time.perf_counter()
+    row = chamber_row(design)
+    paths, weights = row_paths(design, scene)
+    shears = weights @ row_shear(design)
+    bent = np.zeros(len(weights))
+    changes = row_bending(design) if _loaded(scene) else ()
+    if changes:
+        bent = weights @ np.array([change.growth for change in changes])
+    celled = time.perf_counter()
+    layout = layout_of(design, row)
+    question = Question(
+        design, scene, row, layout, paths, weights, _shear(layout, shears),
+        bent, grip_of(design),
+    )  # fmt: skip
+    solved, short = _to_the_end(question, scene, steps)
+    ended = time.perf_counter()
+    found = len(solved.path.positions)
+    outcome, advice = advice_of(question.paths, scene, solved.pressures, found, short=short)
+    response = Response(
+        design=design,
+        scene=scene,
+        rung="cell-rod",
+        outcome=outcome,
+        path=_points(question, solved),
+        advice=advice,
+        centreline=centreline(solved.path, layout.length),
+        error_estimate=estimate(design),
+        limit_pressure=_limit(paths) if outcome is Outcome.LIMIT_POINT else None,
+        trusted_to=trusted_to(paths, solved.pressures[:found]),
+        unknowns=sum(p.unknowns for p in paths) + 6 * len(layout.length),
+        newton_iterations=solved.path.iterations + sum(a.iterations for a in (*paths, *changes)),
+        effects=cell_rod_effects(question, solved),
+        notes=(*cell_rod_notes(question, solved), *{c.missing for c in changes if c.missing}),
+        timings={"cell": celled - begun, "rod": ended - celled},
+    )
+    return replace(response, wall_s=time.perf_counter() - begun)
+
+
+def _loaded(scene: Scene) -> bool:
+    """Whether anything but pressure bends the body."""
+    return (
+        any(scene.gravity or ()) or any(scene.tip_force or ()) or scene.outside_pressure != 0.0
+        or scene.plate is not None or scene.cylinder is not None
+    )  # fmt: skip
+
+
+def _to_the_end(question: Question, scene: Scene, steps: int) -> tuple[Solved, bool]:
+    """Path to the scene's pressure or volume, or to where the first cell has its limit; and whether
+    it fell short."""
+    if scene.pressure_to is not None:
+        end = reached(question.paths, scene.pressure_to)
+        short = abs(end) < abs(scene.pressure_to) * (1 - 1e-9)
+        pressures = np.linspace(0.0, scene.pressure_to, steps + 1)
+        if short:
+            pressures = np.append(pressures[np.abs(pressures) < abs(end)], end)
+        return question.solve(pressures), short
+    return _to_a_volume(question, float(scene.volume_to or 0.0), steps)
+
+
+def _to_a_volume(question: Question, volume_to: float, steps: int) -> tuple[Solved, bool]:
+    """Pressures that give equal steps of the whole cavity's volume: read off a path over pressure,
+    then off the answer at the pressures read."""
+    end = float(question.paths[0].pressure[-1])
+    trial = question.solve(np.linspace(0.0, reached(question.paths, end), 4 * steps + 1))
+    volume = trial.volume
+    if len(volume) < 2:
+        return trial, True
+    sign = np.sign(volume[-1] - volume[0])
+    wanted = np.linspace(volume[0], volume_to, steps + 1)
+    within = sign * wanted <= sign * volume[-1]
+    pressures = trial.pressures[: len(volume)]
+    at = np.interp(sign * wanted[within], sign * volume, pressures)
+    short = not bool(within.all())
+    if short:
+        at = np.append(at, pressures[-1])
+    solved = question.solve(at)
+    for _ in range(2):
+        count = min(len(solved.volume), int(within.sum()))
+        if count < 2:
+            break
+        slope = np.gradient(at[:count], solved.volume[:count])
+        at[1:count] += (slope * (wanted[:count] - solved.volume[:count]))[1:]
+        at = np.clip(at, min(0.0, pressures[-1]), max(0.0, pressures[-1]))
+        solved = question.solve(at)
+    return solved, short
+
+
+def _shear(layout: Layout, chambers: np.ndarray) -> np.ndarray:
+    """Stiffness of the pieces against shear along X2 and X3 (s, 2) [N], of that of the chambers
+    (n, 2). Solid ends, a fifth as compliant at most, take their neighbour's."""
+    inside = np.flatnonzero(layout.chambered)
+    nearest = inside[np.abs(inside[:, None] - np.arange(len(layout.length))).argmin(axis=0)]
+    return chambers[layout.chamber[nearest]]
+
+
+def _points(question: Question, solved: Solved) -> tuple[PathPoint, ...]:
+    path, layout, chambers = solved.path, question.layout, solved.chambers
+    points = path_points(path, layout.length, layout.chambered, solved.pressures, solved.volume)
+    names = [n for n in ("plate", "cylinder") if getattr(question.scene, n) is not None]
+    force = np.linalg.norm(path.obstacle_force, axis=-1)
+    changed: list[PathPoint] = []
+    for n, point in enumerate(points):
+        more = {f"{name}_force": float(force[n, o]) for o, name in enumerate(names)}
+        if chambers.contact is not None and chambers.contact[n] > 0:
+            more["max_contact_pressure"] = float(chambers.contact[n])
+        changed.append(replace(point, max_principal_stretch=float(chambers.stretch[n]), **more))
+    return tuple(changed)
+
+
+def _limit(paths: tuple[CellPath, ...]) -> float | None:
+    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
+    return min(limits, key=abs) if limits else None

@@ -1,0 +1,90 @@
+"""The cells of a design: paths over pressure; shear and bending, kept by their own content."""
+
+import numpy as np
+
+from actuators.design import Design
+from actuators.geometry import Body
+from actuators.geometry.volumes import exact_volumes
+from actuators.materials import Material, material
+from actuators.mechanics.cell.cache import cell_response
+from actuators.mechanics.cell.inflated import CellPath
+from actuators.mechanics.cell.inflated_cache import cell_path
+from actuators.mechanics.cell.kept import Kept, linear_key, nonlinear_key
+from actuators.mechanics.cell.periodic import box_moments
+from actuators.mechanics.cell.row import row_cells
+from actuators.mechanics.cell.shear import shear_compliance
+from actuators.mechanics.cell_rod.bending import BendingChange, bending_change
+from actuators.mechanics.response import Outcome
+from actuators.mechanics.scene import Scene
+
+SHEAR_SHARE = 5 / 6
+"""Timoshenko's share of a rectangle that bears transverse shear."""
+
+AMPLY = 1.05
+"""Growth of the cells over the one wanted, to spare for what weight takes of the cavity."""
+PROLONGED = 1.5
+
+_bendings: Kept[BendingChange] = Kept(512)
+_shears: Kept[tuple[float, float]] = Kept(512)
+
+
+def row_paths(design: Design, scene: Scene) -> tuple[tuple[CellPath, ...], np.ndarray]:
+    """Paths of the design's cells as far as the scene goes, and their weights (n, cells)."""
+    cells, weights = row_cells(design)
+    if scene.pressure_to is not None:
+        return tuple(cell_path(cell, scene.pressure_to) for cell in cells), weights
+    growth = float(scene.volume_to or 0.0) - exact_volumes(design).cavity
+    return _grown_by(cells, weights, growth), weights
+
+
+def _grown_by(cells: list[Body], weights: np.ndarray, growth: float) -> tuple[CellPath, ...]:
+    """Paths on which the cells together grow by ``growth`` [m3]: begun with what their linear
+    compliance says, and prolonged where they stiffen."""
+    linear = np.array([cell_response(cell).cavity_compliance for cell in cells])
+    pressure = growth / float((weights @ linear).sum())
+    paths = tuple(cell_path(cell, pressure) for cell in cells)
+    for _ in range(4):
+        grown = float((weights @ [abs(p.volume[-1] - p.volume[0]) for p in paths]).sum())
+        if grown > abs(growth) * AMPLY or any(p.outcome is not Outcome.CONVERGED for p in paths):
+            break
+        pressure *= PROLONGED
+        paths = tuple(cell_path(cell, pressure) for cell in cells)
+    return paths
+
+
+def row_shear(design: Design) -> np.ndarray:
+    """Stiffness of the design's cells against shear along X2 and X3, (cells, 2) [N]."""
+    return np.array([_shear(cell) for cell in row_cells(design)[0]])
+
+
+def row_bending(design: Design) -> tuple[BendingChange, ...]:
+    """How the stiffness of the design's cells changes as loads bend them."""
+    return tuple(_bending(cell) for cell in row_cells(design)[0])
+
+
+def _bending(cell: Body) -> BendingChange:
+    materials = tuple(material(region.material) for region in cell.regions)
+    return _bendings.get(
+        nonlinear_key(cell, materials),
+        lambda: bending_change(cell, materials, cell_response(cell).stiffness),
+    )
+
+
+def _shear(cell: Body) -> tuple[float, float]:
+    materials = tuple(material(region.material) for region in cell.regions)
+    return _shears.get(linear_key(cell, materials), lambda: _solve_shear(cell, materials))
+
+
+def _solve_shear(cell: Body, materials: tuple[Material, ...]) -> tuple[float, float]:
+    upright = 1 / shear_compliance(cell, materials)
+    modulus = np.array([m.shear_modulus for m in materials] + [0.0])
+    volume = box_moments(cell)[..., 0]
+    # sideways a chamber is a wide beam, whose shear hardly shows: that of its mean section will do
+    sideways = SHEAR_SHARE * float((modulus[np.maximum(cell.fill, -1)] * volume).sum())
+    return sideways / float(cell.period or 1.0), upright
+
+
+def forget_shear_and_bending() -> None:
+    """Empty the stores (benchmarks time a new cell with it)."""
+    _shears.forget()
+    _bendings.forget()

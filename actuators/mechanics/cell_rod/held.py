@@ -1,0 +1,36 @@
+"""The clamp's grip (:mod:`.grip`) as part of a rod's laws and shape."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from actuators.mechanics.cell_rod.chambers import Chambers
+from actuators.mechanics.cell_rod.grip import Grip
+from actuators.mechanics.rod.follow import Laws, LoadedPath
+from actuators.mechanics.rod.pieces import Layout
+
+BENDING, UPRIGHT = 2, 5
+
+
+def hold(laws: Laws, layout: Layout, chambers: Chambers, grip: Grip) -> None:
+    """Give the first piece what the clamp adds to its compliance and free turn."""
+    length = layout.length[0]
+    inside = np.linalg.inv(chambers.stiffness[:, 0])[:, BENDING, BENDING]
+    own = np.linalg.inv(laws.stiffness[:, 0])
+    own[:, BENDING, BENDING] += grip.turn * inside / length
+    # upwards is against the bending's sign: a force up turns, a moment shifts, by -b
+    for a, b in ((BENDING, UPRIGHT), (UPRIGHT, BENDING)):
+        own[:, a, b] -= grip.shift * inside / length
+    laws.stiffness[:, 0] = np.linalg.inv(own)
+    laws.free[:, 0, BENDING] += chambers.free[:, 0, BENDING] * grip.pressed_turn / length
+
+
+def shifted(path: LoadedPath, chambers: Chambers, grip: Grip) -> LoadedPath:
+    """Shapes with what pressure shifts the inside's line at the clamp, and the tip point at the
+    free end."""
+    curvature = chambers.free[: len(path.positions), [0, -1], BENDING]
+    up = path.frames[..., 2]
+    positions = path.positions.copy()
+    positions[:, 1:] += (grip.pressed_shift * curvature[:, 0])[:, None, None] * up[:, :1]
+    positions[:, -1] += (grip.pressed_tip * curvature[:, 1])[:, None] * up[:, -1]
+    return replace(path, positions=positions)

@@ -1,0 +1,165 @@
+"""What a designer must read about an answer of cell and rod."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from actuators.design import Design, SlabDesign
+from actuators.mechanics.cell.inflated import CellPath
+from actuators.mechanics.cell.row import pitch_starts
+from actuators.mechanics.response import Effect, Outcome
+from actuators.mechanics.rod.solve import weightless
+from actuators.mechanics.scene import Scene
+
+if TYPE_CHECKING:
+    from actuators.mechanics.cell_rod.answer import Question, Solved
+
+NEAR_THE_LIMIT = 0.8
+"""Share of the cell's limit pressure up to which the rod's answer is worth reading: beyond it
+chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the cell's."""
+
+
+def advice_of(
+    paths: Sequence[CellPath], scene: Scene, pressures: np.ndarray, found: int, *, short: bool
+) -> tuple[Outcome, str | None]:
+    """How the path ended, and what to do about it."""
+    if found < len(pressures):
+        lost = pressures[found] / 1e3
+        return Outcome.STALLED, (
+            f"The rod found no equilibrium under the scene's loads at {lost:.4g} kPa. Reduce the "
+            "loads, stiffen the body, or use the rung fe."
+        )
+    if not short:
+        return Outcome.CONVERGED, None
+    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
+    end = pressures[-1] / 1e3
+    if limits:
+        limit = min(limits, key=abs) / 1e3
+        more = (
+            "Stay below it, thicken the roof or take a stiffer top material."
+            if scene.volume_to is None
+            else "Use the rung fe to go on: beyond it chambers grow unequally."
+        )
+        return Outcome.LIMIT_POINT, (
+            f"No equilibrium above {limit:.4g} kPa: there the chamber's pressure has its maximum. "
+            f"{more}"
+        )
+    return Outcome.STALLED, (
+        f"The inflated chamber was found up to {end:.4g} kPa only. Use the rung fe beyond."
+    )
+
+
+def trusted_to(paths: Sequence[CellPath], pressures: np.ndarray) -> float | None:
+    """Pressure [Pa] up to which chambers answer alike; None where the path stays below."""
+    limits = [abs(p.limit_pressure) for p in paths if p.limit_pressure is not None]
+    if not limits or len(pressures) == 0 or abs(pressures[-1]) <= NEAR_THE_LIMIT * min(limits):
+        return None
+    return float(np.sign(pressures[-1])) * NEAR_THE_LIMIT * min(limits)
+
+
+def estimate(design: Design) -> float:
+    """Expected error of the tip's displacement, a fraction: the cell's mesh, and the ends, whose
+    chambers answer otherwise than those of a long row and weigh more where they are few. As
+    measured against 3D finite elements on the presets (docs/cell_rod.md); no bound."""
+    ends = SLAB_ENDS if isinstance(design, SlabDesign) else GAPPED_ENDS
+    return MESH_SHARE + ends * max(1.0, FEW / len(pitch_starts(design)[0]))
+
+
+MESH_SHARE = 0.02
+SLAB_ENDS = 0.04
+GAPPED_ENDS = 0.02
+FEW = 5
+"""Chambers below which the ends' share grows."""
+
+
+def cell_rod_effects(question: Question, solved: Solved) -> tuple[Effect, ...]:
+    """Which effects the answer holds."""
+    scene = question.scene
+    contact = solved.chambers.contact
+    walls = _walls(contact, solved.pressures)
+    return (
+        _gravity(question, solved),
+        Effect("large_rotation", True, "the rod's segments are exact pieces of helix"),
+        Effect("finite_strain", True, "the chamber is inflated by nonlinear finite elements"),
+        Effect("self_contact", contact is not None, walls),
+        *(
+            Effect(f"{name}_contact", True, _pressed(question, solved, n, name))
+            for n, name in enumerate(_obstacles(scene))
+        ),
+        *(
+            Effect(name, True, "a load of the rod")
+            for name, there in (
+                ("outside_pressure", scene.outside_pressure != 0.0),
+                ("tip_force", scene.tip_force is not None),
+            )
+            if there
+        ),
+        Effect("shear", True, "floor and roof bend between the walls under transverse force"),
+        _ends(question),
+    )  # fmt: skip
+
+
+def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
+    """Findings of the cells, and of the rod's obstacles."""
+    notes = list(dict.fromkeys(note for path in question.paths for note in path.notes))
+    depth = solved.path.penetration.max(initial=0.0)
+    if depth > 2e-3 * question.design.length:
+        notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")
+    return tuple(notes)
+
+
+def _gravity(question: Question, solved: Solved) -> Effect:
+    gravity = question.scene.gravity
+    if gravity is None or not any(gravity):
+        return Effect("gravity", False, "the scene has none")
+    reason = "the scene has it; the rod bears its own weight"
+    found = len(solved.path.positions)
+    if found == 0:
+        return Effect("gravity", True, reason)
+    layout = question.layout
+    floating = weightless(layout.free(solved.chambers.free[found - 1])[None], layout.length)
+    tip, free = solved.path.positions[-1, -1], floating.positions[0, -1]
+    moved = float(np.linalg.norm(tip - np.array([layout.length.sum(), 0.0, 0.0])))
+    change = 100 * float(np.linalg.norm(tip - free)) / moved if moved > 0 else 0.0
+    return Effect("gravity", True, reason, estimated_change_percent=change)
+
+
+def _ends(question: Question) -> Effect:
+    if question.grip is None:
+        return Effect(
+            "end_effects", False,
+            "every chamber answers as one in a long row, also near clamp and free end",
+        )  # fmt: skip
+    return Effect(
+        "end_effects", True,
+        "one linear solve of the body says what the clamp keeps from bending across the width",
+    )  # fmt: skip
+
+
+def _walls(contact: np.ndarray | None, pressures: np.ndarray) -> str:
+    if contact is None:
+        return "no walls of a chamber face each other closely, or contact is switched off"
+    touching = np.flatnonzero(contact > 0)
+    if len(touching) == 0:
+        return "looked for in the periodic chamber, and no walls meet"
+    first = pressures[touching[0]] / 1e3
+    return (
+        f"walls of neighbouring chambers meet from about {first:.3g} kPa on, with up to "
+        f"{contact.max() / 1e3:.3g} kPa"
+    )
+
+
+def _obstacles(scene: Scene) -> list[str]:
+    return [name for name in ("plate", "cylinder") if getattr(scene, name) is not None]
+
+
+def _pressed(question: Question, solved: Solved, number: int, name: str) -> str:
+    force = np.linalg.norm(solved.path.obstacle_force[:, number], axis=-1)
+    touching = np.flatnonzero(force > 0)
+    if len(touching) == 0:
+        return f"the {name} is not reached"
+    first = solved.pressures[touching[0]] / 1e3
+    return f"the {name} is pressed from about {first:.3g} kPa on, with up to {force.max():.3g} N"

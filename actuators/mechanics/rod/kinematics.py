@@ -1,0 +1,81 @@
+"""Shape of a rod with shear, and the resultants of its law (compiled)."""
+
+import math
+
+import numba as nb
+import numpy as np
+
+from actuators.mechanics.rod.chain import Law
+from actuators.mechanics.rod.small import product, turn
+
+BEND = 2
+SHEAR = 4
+_TURN = 0.1  # of 1 + 2 c m: below, the parabola says nothing any more
+
+
+@nb.njit(cache=True)
+def sheared_shape(strain: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """As :func:`.equilibrium.shape`, of strains (s, 6): x' = R (1 + stretch, shears)."""
+    s = len(length)
+    x, r = np.zeros((2 * s + 1, 3)), np.zeros((2 * s + 1, 3, 3))
+    rotation, mean = np.zeros((3, 3)), np.zeros((3, 3))
+    w, v = np.zeros(3), np.zeros(3)
+    for a in range(3):
+        r[0, a, a] = 1.0
+    for n in range(2 * s):
+        i = n // 2
+        half = length[i] / 2
+        for a in range(3):
+            w[a] = strain[i, a + 1] * half
+        turn(w, rotation, mean)
+        product(r[n], rotation, r[n + 1])
+        for a in range(3):
+            v[a] = (
+                mean[a, 0] * (1 + strain[i, 0])
+                + mean[a, 1] * strain[i, SHEAR]
+                + mean[a, 2] * strain[i, SHEAR + 1]
+            ) * half
+        for a in range(3):
+            x[n + 1, a] = x[n, a] + r[n, a, 0] * v[0] + r[n, a, 1] * v[1] + r[n, a, 2] * v[2]
+    return x, r
+
+
+@nb.njit(cache=True)
+def _moment(c: float, m: float) -> float:
+    """M of M + c M^2/2 = m, kept from where it turns back."""
+    if c == 0.0:
+        return m
+    return (math.sqrt(max(1 + 2 * c * m, _TURN)) - 1) / c
+
+
+@nb.njit(cache=True)
+def resultants(i: int, law: Law, strain: np.ndarray, d: np.ndarray, out: np.ndarray) -> None:
+    """S of piece ``i`` into ``out`` (6,), its d into ``d`` (6,)."""
+    for a in range(6):
+        d[a] = strain[i, a] - law.free[i, a]
+    for a in range(6):
+        out[a] = 0.0
+        for b in range(6):
+            out[a] += law.stiffness[i, a, b] * d[b]
+    if law.bent[i] != 0.0:
+        moment = _moment(law.bent[i] * law.stiffness[i, BEND, BEND], out[BEND])
+        less = law.bent[i] * moment * moment / 2
+        for a in range(6):
+            out[a] -= less * law.stiffness[i, a, BEND]
+
+
+@nb.njit(cache=True)
+def tangent(i: int, law: Law, d: np.ndarray, out: np.ndarray) -> None:
+    """dS/de of piece ``i`` into ``out`` (6, 6)."""
+    linear = 0.0
+    for a in range(6):
+        linear += law.stiffness[i, BEND, a] * d[a]
+        for b in range(6):
+            out[a, b] = law.stiffness[i, a, b]
+    if law.bent[i] != 0.0:
+        curved = law.bent[i] * law.stiffness[i, BEND, BEND]
+        moment = _moment(curved, linear)
+        less = law.bent[i] * moment / (1 + curved * moment)
+        for a in range(6):
+            for b in range(6):
+                out[a, b] -= less * law.stiffness[i, a, BEND] * law.stiffness[i, BEND, b]

@@ -1,0 +1,134 @@
+"""Rung 3 as a whole: against 3D finite elements, its limits, its loads, what it costs."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from actuators.design import preset
+from actuators.mechanics.obstacles import Cylinder, Plate
+from actuators.mechanics.predict import predict
+from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.scene import Scene
+from benchmarks.cell_rod import deviations
+
+SLAB = preset("slab-rectangle-low").design
+
+
+def ask(scene: Scene, name: str = "slab-rectangle-low") -> Response:
+    return predict(preset(name).design, scene, rung="cell-rod")
+
+
+@pytest.mark.parametrize("name", ["slab-rectangle-low", "slab-triangle-high", "bellows-9-2.0"])
+def test_the_tip_is_within_three_percent_of_3d(name: str) -> None:
+    """Of the body's length, under weight and up to half the family's pressure; the 3D answers
+    (stored) are good to 5 %."""
+    answer, apart = deviations(name, "cell-rod")
+    assert answer.outcome is Outcome.CONVERGED
+    assert apart[:, 0].max() < 3.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["oblique-90", "oblique-75", "printed-14", "bellows-11-2.4"])
+def test_gapped_bodies_are_within_four_percent_of_3d(name: str) -> None:
+    """Four: the obliques' 3D answers are asked for to 10 %."""
+    assert deviations(name, "cell-rod")[1][:, 0].max() < 4.0
+
+
+def test_every_quantity_of_the_path_is_there() -> None:
+    answer = ask(Scene(4e3, steps=4))
+    assert answer.rung == "cell-rod"
+    assert answer.centreline is not None
+    assert set(answer.timings) == {"cell", "rod"}
+    assert answer.error_estimate is not None
+    for point in answer.path:
+        assert None not in (point.tip_rotation, point.curvature, point.torsion)
+        assert point.cavity_volume is not None
+        assert point.max_principal_stretch is not None
+        assert (point.plate_force, point.cylinder_force) == (None, None)
+    volumes = [point.cavity_volume or 0.0 for point in answer.path]
+    assert np.all(np.diff(volumes) > 0)
+    json.dumps(answer.to_document(), allow_nan=False)
+
+
+def test_the_path_ends_at_the_limit_pressure_of_the_cell() -> None:
+    """Neo-Hooke slabs have one. 3D finds it between 11.7 and 12.4 kPa on its meshes, where one
+    chamber begins to outgrow the rest; the cell, one of equals on a coarse mesh, at 13.7."""
+    answer = ask(Scene(30e3, gravity=None))
+    assert answer.outcome is Outcome.LIMIT_POINT
+    assert answer.limit_pressure == pytest.approx(12e3, rel=0.2)
+    assert answer.path[-1].pressure == pytest.approx(answer.limit_pressure, rel=1e-3)
+    assert answer.trusted_to is not None
+    assert answer.trusted_to < 11.7e3
+    assert answer.advice is not None
+    assert "kPa" in answer.advice
+
+
+def test_a_volume_is_reached() -> None:
+    rest = ask(Scene(1e3, steps=1)).path[0].cavity_volume or 0.0
+    answer = ask(Scene(volume_to=1.4 * rest, steps=5))
+    assert answer.outcome is Outcome.CONVERGED
+    assert answer.path[-1].cavity_volume == pytest.approx(1.4 * rest, rel=1e-3)
+    grown = np.diff([point.cavity_volume or 0.0 for point in answer.path])
+    np.testing.assert_allclose(grown, grown.mean(), rtol=0.02)
+
+
+def test_a_volume_beyond_the_limit_is_a_limit_point() -> None:
+    answer = ask(Scene(volume_to=200e-6, steps=5, gravity=None))
+    assert answer.outcome is Outcome.LIMIT_POINT
+    assert (answer.path[-1].cavity_volume or 0.0) < 200e-6
+
+
+def test_suction_bends_the_other_way() -> None:
+    pressed, sucked = (ask(Scene(p, steps=2, gravity=None)).path[-1] for p in (1e3, -1e3))
+    assert pressed.bending_angle > 0 > sucked.bending_angle
+    assert (sucked.cavity_volume or 1.0) < (pressed.cavity_volume or 0.0)
+
+
+def test_a_plate_under_the_body_bears_part_of_its_weight() -> None:
+    hanging, lying = ask(Scene(4e3, steps=4)), ask(Scene(4e3, steps=4, plate=Plate(5e-3)))
+    assert hanging.path[0].tip[2] < -0.02
+    for point in lying.path:
+        assert point.tip[2] == pytest.approx(-5e-3, abs=2e-4)
+        assert 0.1 < (point.plate_force or 0.0) < 0.7  # it weighs 0.56 N; pressure adds to it
+    forces = [point.plate_force or 0.0 for point in lying.path]
+    assert np.all(np.diff(forces) > 0)
+
+
+def test_a_plate_out_of_reach_changes_nothing() -> None:
+    free, far = ask(Scene(4e3, steps=2)), ask(Scene(4e3, steps=2, plate=Plate(0.5)))
+    assert far.path[-1].tip == pytest.approx(free.path[-1].tip, abs=1e-9)
+    assert far.path[-1].plate_force == 0.0
+
+
+def test_a_cylinder_is_pressed() -> None:
+    bar = Cylinder(0.02, (0.06, 0.0, -0.0205))
+    answer = ask(Scene(10e3, steps=5, gravity=None, cylinder=bar))
+    assert answer.path[0].cylinder_force == 0.0
+    assert (answer.path[-1].cylinder_force or 0.0) > 0.05
+
+
+@pytest.mark.parametrize("rung", ["energy", "cell-rod"])
+def test_outer_loads_lift_the_tip(rung: str) -> None:
+    def height(scene: Scene) -> float:
+        return predict(SLAB, scene, rung=rung).path[-1].tip[2]
+
+    bare = height(Scene(4e3, steps=4))
+    assert height(Scene(4e3, steps=4, tip_force=(0.0, 0.0, 0.05))) > bare + 2e-3
+    assert height(Scene(4e3, steps=4, outside_pressure=50.0)) > bare + 2e-3
+
+
+def test_another_load_costs_no_cell() -> None:
+    ask(Scene(4e3))
+    again = ask(Scene(4e3, gravity=(0.0, 0.0, -5.0), tip_force=(0.0, 0.0, 0.02)))
+    assert again.timings["cell"] < again.wall_s / 2
+
+
+def test_the_web_process_does_not_load_the_3d_solver_with_the_instant_rungs() -> None:
+    code = (
+        "import sys; from actuators.mechanics import predict; "
+        "assert not any(n.startswith('actuators.mechanics.continuum') for n in sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
