@@ -4,6 +4,7 @@ from fastapi import APIRouter
 from fastapi.routing import APIRoute
 
 from backend.designs.endpoints import router as designs
+from backend.effects.endpoints import router as effects
 from backend.fabrication.endpoints import router as fabrication
 from backend.history.endpoints import router as history
 from backend.live.endpoints import router as live
@@ -23,7 +24,7 @@ def router() -> APIRouter:
     """All endpoints."""
     api = APIRouter(prefix="/api", responses=PROBLEMS)
     for feature in (
-        system, designs, materials, simulations, history, fabrication, live, viewer,
+        system, designs, materials, simulations, effects, history, fabrication, live, viewer,
     ):  # fmt: skip
         api.include_router(feature)
     return api

@@ -12,6 +12,7 @@ from backend.bodies import BodyGuard
 from backend.guards import Guard
 from backend.live.feed import EventFeed
 from backend.settings import Settings, from_environment
+from backend.simulations.aside import Aside
 from backend.simulations.instant import warm
 from backend.simulations.queue import TaskQueue
 from backend.viewer import front
@@ -49,8 +50,9 @@ async def _life(app: FastAPI) -> AsyncGenerator[None]:
     queue = TaskQueue(settings.deployment.broker)
     feed = EventFeed(store)
     rooms = RoomKeeper()
+    aside = Aside()
     app.state.store, app.state.queue = store, queue
-    app.state.feed, app.state.rooms = feed, rooms
+    app.state.feed, app.state.rooms, app.state.aside = feed, rooms, aside
     await feed.start()
     tasks = [
         asyncio.create_task(queue.keep_publishing(store)),
@@ -65,5 +67,6 @@ async def _life(app: FastAPI) -> AsyncGenerator[None]:
         await asyncio.gather(*tasks, return_exceptions=True)
         await feed.stop()
         await asyncio.to_thread(rooms.close)
+        await asyncio.to_thread(aside.close)
         queue.close()
         store.close()

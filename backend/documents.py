@@ -37,7 +37,7 @@ SceneDocument = Annotated[
         "left out. `outside_pressure_kPa` acts on the underside. `tip_force_N`: three numbers, a "
         "dead load on the free end. Rigid and frictionless: `plate`: {`gap_mm`, `normal`: from the "
         "plate to the actuator}, `cylinder`: {`radius_mm`, `centre_mm`, `axis`}. `effects`: "
-        "{`self_contact`: 'auto', 'on' or 'off'}.",
+        "'auto', 'on' or 'off' by name, as POST /api/effects lists them; 'auto' when left out.",
         examples=[
             {"pressure_kPa": {"to": 40, "steps": 20}, "gravity_m_s2": [0, 0, -9.81]},
             {"volume_ml": {"to": 40}, "plate": {"gap_mm": 5, "normal": [0, 0, 1]}},

@@ -7,6 +7,7 @@ from starlette.requests import HTTPConnection
 
 from backend.live.feed import EventFeed
 from backend.settings import Settings
+from backend.simulations.aside import Aside
 from backend.simulations.queue import TaskQueue
 from backend.viewer.rooms import RoomKeeper
 from storage import Store
@@ -28,6 +29,10 @@ def _queue(connection: HTTPConnection) -> TaskQueue:
     return connection.app.state.queue
 
 
+def _aside(connection: HTTPConnection) -> Aside:
+    return connection.app.state.aside
+
+
 def _rooms(connection: HTTPConnection) -> RoomKeeper:
     return connection.app.state.rooms
 
@@ -40,5 +45,6 @@ Config = Annotated[Settings, Depends(_settings)]
 Storage = Annotated[Store, Depends(_store)]
 Author = Annotated[str, Depends(_author)]
 Queue = Annotated[TaskQueue, Depends(_queue)]
+Helper = Annotated[Aside, Depends(_aside)]
 Rooms = Annotated[RoomKeeper, Depends(_rooms)]
 Feed = Annotated[EventFeed, Depends(_feed)]

@@ -9,6 +9,7 @@ from storage.rows import (
     JobRow,
     JobState,
     ResultRow,
+    TimingRow,
     VersionRow,
     WorkerRow,
 )
@@ -16,6 +17,6 @@ from storage.store import Store, open_store
 
 __all__ = [
     "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow", "JobState",
-    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "VersionRow",
-    "WorkerRow", "open_store",
+    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "TimingRow",
+    "VersionRow", "WorkerRow", "open_store",
 ]  # fmt: skip

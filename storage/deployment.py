@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
-from platformdirs import user_data_path
+from actuators.places import data_folder
 
 TASK = "pneustudio.solve"
 QUEUE = "pneustudio"
@@ -44,8 +44,7 @@ class Deployment:
 def deployment(environment: Mapping[str, str] | None = None) -> Deployment:
     """Read the environment (of this process if None)."""
     env = os.environ if environment is None else environment
-    data = Path(env.get("PNEUSTUDIO_DATA") or user_data_path("pneustudio", appauthor=False))
-    data = data.expanduser().resolve()
+    data = data_folder(env)
     queue = (data / "queue").as_uri().replace("file", "filesystem", 1)
     return Deployment(
         data=data,

@@ -143,6 +143,22 @@ class ResultRow:
 
 
 @dataclass(frozen=True)
+class TimingRow:
+    """How long a worker took over a question. ``design`` and ``scene`` in border units; ``mesh``:
+    the one asked for, None where the accuracy decided; ``worker`` is ``name@machine``."""
+
+    digest: str
+    design: dict[str, Any]
+    scene: dict[str, Any]
+    accuracy: float
+    mesh: str | None
+    seconds: float
+    outcome: str
+    worker: str | None
+    finished_at: datetime
+
+
+@dataclass(frozen=True)
 class EventRow:
     """Something that happened. ``kind`` "job": ``subject`` is a job id; "history": a design id."""
 

@@ -76,6 +76,7 @@ def _instant(rung: str) -> Solver:
 
 RUNGS: dict[str, Solver] = {
     "fe": _fe,
+    "cell-rod": _instant("cell-rod"),
     "energy": _instant("energy"),
     "closed-form": _instant("closed-form"),
 }

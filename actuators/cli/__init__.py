@@ -4,6 +4,8 @@ import click
 
 from actuators import __version__
 from actuators.cli.exporting import export
+from actuators.cli.hard_cases import hard_cases
+from actuators.cli.laddering import ladder
 from actuators.cli.listings import materials, presets, show
 from actuators.cli.predicting import predict
 from actuators.cli.serving import serve
@@ -19,7 +21,7 @@ def main() -> None:
     """
 
 
-for _command in (presets, materials, show, predict, export, serve):
+for _command in (presets, materials, show, predict, ladder, export, hard_cases, serve):
     main.add_command(_command)
 
 __all__ = ["main"]

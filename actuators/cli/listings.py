@@ -34,7 +34,8 @@ def presets(*, as_json: bool) -> None:
 def materials(*, as_json: bool) -> None:
     """List the rubbers that a design can name.
 
-    KEY@incompressible names the same rubber, exactly incompressible.
+    KEY@incompressible names the same rubber, exactly incompressible; KEY@nu=0.4999, KEY@bulk=1e4
+    (kappa/mu) and KEY@stiffness=10 (all stresses) change it, one after the other.
     """
     from actuators.materials import CATALOGUE
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from actuators.cli.effects import effect_option, print_effects, with_choices
 from actuators.cli.reading import read_accuracy, read_design, read_scene
 from actuators.cli.solving import Interruptible, show_progress
 from actuators.cli.studio import answer, json_option
@@ -18,7 +19,7 @@ from actuators.quantities import parse_number
 if TYPE_CHECKING:
     pass
 
-RUNGS = ("closed-form", "energy", "fe")
+RUNGS = ("closed-form", "energy", "cell-rod", "fe")
 
 
 @click.command()
@@ -35,6 +36,7 @@ RUNGS = ("closed-form", "energy", "fe")
 @click.option("--steps", type=int, help="Number of equal pressure steps.")
 @click.option("--c", "constant", metavar="computed|published|VALUE", help="Constant of the energy "
               "rung (default computed).")  # fmt: skip
+@effect_option
 @json_option
 def predict(
     design: str,
@@ -46,12 +48,13 @@ def predict(
     changes: tuple[str, ...],
     steps: int | None,
     constant: str | None,
+    choices: tuple[str, ...],
     *,
     as_json: bool,
 ) -> None:
     """Predict how DESIGN (a preset or a JSON file) bends and twists under pressure."""
     chosen = read_design(design, changes)
-    scene = read_scene(pressure, scene_file, steps)
+    scene = with_choices(read_scene(pressure, scene_file, steps), choices)
     response = _ask(chosen, scene, rung, accuracy, mesh, constant)
     if as_json:
         answer(response.to_document())
@@ -113,7 +116,12 @@ def _solve(design: Design, scene: Scene, accuracy: str | None, mesh: str | None)
     from actuators.mechanics.continuum import solve
 
     with Interruptible() as interrupted:
-        return solve(design, scene, progress=show_progress(), cancelled=interrupted, **wanted)
+        response = solve(design, scene, progress=show_progress(), cancelled=interrupted, **wanted)
+    from actuators.cli.past_jobs import remember
+    from actuators.mechanics.ladder import Rung
+
+    remember(response, Rung("fe", wanted.get("accuracy", 0.05), mesh), is_first=True)
+    return response
 
 
 _COLUMNS: tuple[tuple[str, Callable[[PathPoint], float | None]], ...] = (
@@ -149,11 +157,9 @@ def _print(response: Response) -> None:
     )
     for sentence in (*([response.advice] if response.advice else []), *response.notes):
         click.echo(f"  {sentence}")
-    for effect in response.effects:
-        if effect.on and effect.name.endswith("contact"):
-            click.echo(f"  {effect.name.replace('_', ' ').capitalize()}: {effect.reason}")
     for sentence in response.design.assumptions():
         click.echo(f"  Assumed: {sentence}")
+    print_effects(response.effects)
 
 
 def _others(response: Response) -> str:

@@ -5,9 +5,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, cast
 
+import click
+
 from actuators.design import PRESETS, Design, parse_design, preset
 from actuators.design.parameter import Parameter
-from actuators.errors import DesignError, InputError, SceneError
+from actuators.errors import DesignError, InputError, QuestionError, SceneError
 from actuators.materials import material
 from actuators.mechanics.scene import Scene
 from actuators.quantities import parse_number, parse_quantity
@@ -61,7 +63,10 @@ def _border_value(p: Parameter, given: str, *, unit_in_name: bool) -> Any:
 
 
 def read_scene(pressure: str | None, file: str | None, steps: int | None) -> Scene:
-    """Scene of a file, whose pressure and steps the options replace, or of the pressure alone."""
+    """Scene of a file, whose pressure and steps the options replace, or of the pressure alone.
+
+    What an option replaces by another value is said on standard error.
+    """
     if file is None and pressure is None:
         raise SceneError(
             "pressure is missing; give --pressure 30kPa or --scene FILE.",
@@ -73,16 +78,31 @@ def read_scene(pressure: str | None, file: str | None, steps: int | None) -> Sce
     if isinstance(path, dict):
         given = dict(cast("dict[str, Any]", path))
         if pressure is not None:
-            given["to"] = parse_quantity(pressure, "pressure", field="pressure") / 1e3
+            end = parse_quantity(pressure, "pressure", field="pressure") / 1e3
+            _tell_replaced("--pressure", pressure, f"{key}.to", given.get("to"), end)
+            given["to"] = end
         if steps is not None:
+            _tell_replaced("--steps", str(steps), f"{key}.steps", given.get("steps"), steps)
             given["steps"] = steps
         document[key] = given
     return Scene.from_document(document)
 
 
+def _tell_replaced(option: str, given: str, entry: str, before: Any, after: float) -> None:
+    if before not in (None, "auto", after):
+        click.echo(f"{option} {given} replaces {entry} {before} of the scene file.", err=True)
+
+
 def read_accuracy(text: str) -> float:
-    """``2%`` as a fraction."""
-    return parse_quantity(text, "fraction", field="accuracy")
+    """``2%`` as a fraction; raises :class:`QuestionError` outside 0.01 % to 100 %."""
+    accuracy = parse_quantity(text, "fraction", field="accuracy")
+    if not 1e-4 <= accuracy <= 1.0:
+        raise QuestionError(
+            f"accuracy is {text.strip()!r}; it must lie between 0.01 % and 100 %. "
+            "Write for example 5%.",
+            field="accuracy", value=text, mend="Write for example 5%.",
+        )  # fmt: skip
+    return accuracy
 
 
 def read_json(path: str, *, field: str) -> dict[str, Any]:

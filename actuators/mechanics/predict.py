@@ -1,6 +1,7 @@
-"""Rungs 1 and 2: the answer while a slider moves."""
+"""Rungs 1 to 3: the answers while a slider moves, and as soon as it rests."""
 
 import time
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from actuators.errors import QuestionError
 from actuators.geometry.volumes import exact_volumes
 from actuators.mechanics.cell.row import ChamberRow, chamber_row, pitch_starts
 from actuators.mechanics.closed_form import bending_rates
+from actuators.mechanics.effects.obeyed import marked, obeyed
 from actuators.mechanics.energy_model import (
     Constant,
     check_constant,
@@ -27,6 +29,7 @@ from actuators.mechanics.rod import (
     rod_of,
     weightless,
 )
+from actuators.mechanics.rod.carried import follow_scene, is_plain
 from actuators.mechanics.rod.effects import (
     closed_form_effects,
     rod_effects,
@@ -38,7 +41,7 @@ from actuators.mechanics.scene import Scene
 STEPS = 20
 """Equal pressure steps where the scene leaves the choice to the rung."""
 
-RUNGS = ("closed-form", "energy")
+RUNGS = ("closed-form", "energy", "cell-rod")
 
 
 def predict(
@@ -49,11 +52,12 @@ def predict(
     c: Any = "computed",
     steps: int | None = None,
 ) -> Response:
-    """Instant answer at zero pressure and at every pressure step.
+    """Answer at zero pressure and at every step of pressure or volume.
 
-    ``rung``: ``"closed-form"`` or ``"energy"``; the three-dimensional solver is another door. ``c``
-    (energy only): ``"computed"`` takes each chamber's free response from its periodic cell;
-    ``"published"`` and numbers scale the energy model instead, on a rod of the same stiffness.
+    ``rung``: ``"closed-form"``, ``"energy"`` or ``"cell-rod"``, whose new cells take some tenths of
+    a second; the three-dimensional solver is another door. ``c`` (energy only): ``"computed"``
+    takes each chamber's free response from its periodic cell; ``"published"`` and numbers scale the
+    energy model instead, on a rod of the same stiffness.
     ``steps`` goes before the scene's own. Raises :class:`QuestionError` for a rung or constant that
     is none.
     """
@@ -67,19 +71,28 @@ def predict(
         )  # fmt: skip
     if rung not in RUNGS:
         raise QuestionError(
-            f"rung is {rung!r}; the instant models are {' and '.join(RUNGS)}.",
-            field="rung", value=repr(rung), mend=f"Use {' or '.join(RUNGS)}.",
+            f"rung is {rung!r}; the models of this door are {', '.join(RUNGS)}.",
+            field="rung", value=repr(rung), mend=f"Use one of {', '.join(RUNGS)}.",
         )  # fmt: skip
-    pressures = np.linspace(0.0, _end(scene, rung), count + 1)
+    left, kept = obeyed(design, scene, rung)
+    if rung == "cell-rod":
+        # imported here: it calls the 3D solver's kernels, which the web process does without
+        from actuators.mechanics.cell_rod.answer import answer
+
+        return marked(answer(left, kept, count), design, scene)
+    pressures = np.linspace(0.0, _end(kept, rung), count + 1)
     if rung == "energy":
-        return _energy(design, scene, pressures, constant, begun)
-    return _closed_form(design, scene, pressures, begun)
+        response = _energy(left, kept, pressures, constant, begun)
+    else:
+        response = _closed_form(left, kept, pressures, begun)
+    return marked(response, design, scene)
 
 
 def _end(scene: Scene, rung: str) -> float:
     """Pressure [Pa] at the end; refuses what this rung cannot carry, naming the one that can."""
+    carried = ("outside_pressure", "tip_force") if rung == "energy" else ()
     for name, value in _beyond_pressure_and_weight(scene).items():
-        if value:
+        if value and name not in carried:
             raise _beyond(rung, name, value)
     if scene.pressure_to is None or scene.pressure_to < 0.0:
         raise _beyond(rung, "pressure", f"{(scene.pressure_to or 0.0) / 1e3:g} kPa (suction)")
@@ -96,16 +109,16 @@ def _beyond_pressure_and_weight(scene: Scene) -> dict[str, str]:
         "tip_force": "" if force is None else f"({', '.join(f'{f:g}' for f in force)}) N",
         "plate": "" if plate is None else f"{plate.gap * 1e3:g} mm away",
         "cylinder": "" if cylinder is None else f"{cylinder.radius * 2e3:g} mm thick",
-        "self_contact": "on" if scene.self_contact == "on" else "",
     }
 
 
 def _beyond(rung: str, name: str, value: str) -> QuestionError:
     instead = {"volume": "give a pressure", "pressure": "give a pressure above 0 kPa"}
-    mend = f"Use the rung fe, or {instead.get(name, f'leave {name} out')}."
+    mend = f"Use the rung cell-rod or fe, or {instead.get(name, f'leave {name} out')}."
+    known = ", weight, a tip force and outside pressure" if rung == "energy" else ""
     return QuestionError(
-        f"{name} is {value}, which the rung {rung} cannot carry: it knows pressure"
-        f"{' and weight' if rung == 'energy' else ''} only. {mend}",
+        f"{name} is {value}, which the rung {rung} cannot carry: it knows pressure{known} only. "
+        f"{mend}",
         field=name, value=value, mend=mend,
     )  # fmt: skip
 
@@ -117,13 +130,20 @@ def _energy(
     solved = time.perf_counter()
     free, notes = _free_strains(design, row, constant)
     rod = rod_of(design, row, free)
-    path = follow_pressures(rod, pressures, scene.gravity)
+    if is_plain(scene):
+        path = follow_pressures(rod, pressures, scene.gravity)
+    else:
+        path = follow_scene(design, row, free, pressures, scene)
+    outcome, advice = _outcome(path, pressures)
+    if len(path.positions) == 0:  # what there is without its loads is better than nothing
+        path = replace(
+            weightless(np.zeros((1, len(rod.length), 4)), rod.length), iterations=path.iterations
+        )
     # without weight the strains are known: what gravity changes costs one more walk along the rod
     last = pressures[max(len(path.positions) - 1, 0)]
     floating = weightless((last * rod.free)[None], rod.length)
     volume = exact_volumes(design).cavity + row.cavity_compliance.sum() * pressures
     points = path_points(path, rod.length, rod.chambered, pressures, volume)
-    outcome, advice = _outcome(path, pressures)
     ended = time.perf_counter()
     return Response(
         design=design,
@@ -170,8 +190,9 @@ def _outcome(path: RodPath, pressures: np.ndarray) -> tuple[Outcome, str | None]
     if len(path.positions) == len(pressures):
         return Outcome.CONVERGED, None
     lost = pressures[len(path.positions)] / 1e3
+    shown = "" if len(path.positions) else " Shown is the body without its loads."
     return Outcome.STALLED, (
-        f"The rod found no equilibrium under its own weight at {lost:.4g} kPa. Shorten the body, "
+        f"The rod found no equilibrium under its loads at {lost:.4g} kPa.{shown} Shorten the body, "
         "stiffen it or thicken its bottom layer, or leave gravity out."
     )
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from actuators.design.base import Design
+from actuators.mechanics.choices import Choice
 from actuators.mechanics.scene import Scene
 
 
@@ -70,20 +71,29 @@ class PathPoint:
 
 @dataclass(frozen=True)
 class Effect:
-    """One physical effect: on or off, why, what leaving it out would change, what it costs."""
+    """One physical effect: whether it is part of the model, why and what came of it.
+
+    ``estimated_change_percent``: how much leaving it out would change the tip's way, estimated
+    beforehand. ``cost_s``: what having it costs, or would cost, in this answer (below 0: saves);
+    ``cost_factor``: the same as a ratio of times, of answers with it over those without.
+    ``forced``: "on" or "off" where the scene says so.
+    """
 
     name: str
     on: bool
     reason: str
     estimated_change_percent: float | None = None
     cost_s: float | None = None
+    cost_factor: float | None = None
+    forced: Choice = "auto"
 
     def to_document(self) -> dict[str, Any]:
         """As in ``predict --json``."""
         return {
             "name": self.name, "on": self.on, "reason": self.reason,
             "estimated_change_percent": _finite(self.estimated_change_percent),
-            "cost_s": _finite(self.cost_s),
+            "cost_s": _finite(self.cost_s), "cost_factor": _finite(self.cost_factor),
+            "forced": self.forced,
         }  # fmt: skip
 
 

@@ -4,10 +4,17 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from actuators.errors import SceneError
+from actuators.mechanics.choices import (
+    Choice,
+    Choices,
+    checked_choices,
+    refuse_together,
+    refuse_without,
+)
 from actuators.mechanics.obstacles import Cylinder, Plate, Triple
 from actuators.mechanics.scene_document import read_scene, write_scene
 
@@ -28,8 +35,10 @@ class Scene:
     above the air's [Pa] (below 0: suction), or the whole cavity's volume [m3] (below the volume at
     rest: suction). ``steps``: number of equal steps to report, or None to let the rung choose.
     ``gravity``: acceleration [m/s2], or None for none. ``outside_pressure``: on the underside [Pa],
-    stays normal to it. ``tip_force``: dead load spread over the free end [N]. ``self_contact``:
-    "auto" looks for walls that meet, "on" and "off" say it.
+    stays normal to it. ``tip_force``: dead load spread over the free end [N]. ``effects``: what is
+    forced "on" or "off" by name (see :data:`.choices.NAMES`); all else is "auto", for
+    :func:`.effects.plan` to decide. ``self_contact`` is kept beside the others: it goes with them
+    in documents and in :attr:`forced`.
     """
 
     pressure_to: float | None = None
@@ -41,7 +50,8 @@ class Scene:
     tip_force: Triple | None = None
     plate: Plate | None = None
     cylinder: Cylinder | None = None
-    self_contact: Literal["auto", "on", "off"] = "auto"
+    self_contact: Choice = "auto"
+    effects: Choices | Mapping[str, Choice] = ()
 
     def __post_init__(self) -> None:
         self._check_inflation()
@@ -54,12 +64,61 @@ class Scene:
                 f"outside_on is {self.outside_on!r}; outside pressure acts on the bottom only.",
                 field="outside_on", value=repr(self.outside_on), mend="Use 'bottom'.",
             )  # fmt: skip
-        if self.self_contact not in ("auto", "on", "off"):
+        self._check_choices()
+
+    def _check_choices(self) -> None:
+        chosen = checked_choices(self.effects)
+        alone = checked_choices({"self_contact": self.self_contact})
+        if alone and chosen.get("self_contact", self.self_contact) != self.self_contact:
             raise SceneError(
-                f"self_contact is {self.self_contact!r}; it must be 'auto', 'on' or 'off'.",
-                field="self_contact", value=repr(self.self_contact),
-                mend="Use 'auto', 'on' or 'off'.",
+                f"self_contact is {self.self_contact!r}, and {chosen['self_contact']!r} among the "
+                "effects. Give it once.",
+                field="self_contact", value=repr(self.self_contact), mend="Give it once.",
             )  # fmt: skip
+        # one place for each: what is forced has one digest, and `replace` one meaning
+        object.__setattr__(self, "self_contact", chosen.pop("self_contact", self.self_contact))
+        object.__setattr__(self, "effects", tuple(chosen.items()))
+        self._refuse_empty_choices()
+
+    def _refuse_empty_choices(self) -> None:
+        forced = self.forced
+        for name, there, missing, mend in (
+            ("gravity", any(self.gravity or ()), "the scene has none", "Give gravity_m_s2."),
+            ("plate_contact", self.plate, "the scene has no plate", "Give a plate."),
+            ("cylinder_contact", self.cylinder, "the scene has no cylinder", "Give a cylinder."),
+            ("outside_pressure", self.outside_pressure, "the scene has none",
+             "Give outside_pressure_kPa."),
+            ("tip_force", self.tip_force, "the scene has none", "Give tip_force_N."),
+            ("volume_control", self.volume_to, "a pressure ends the path",
+             "Give volume_ml instead of pressure_kPa."),
+        ):  # fmt: skip
+            if forced.get(name) == "on" and not there:
+                raise refuse_without(name, missing, mend)
+        if forced.get("volume_control") == "off" and self.volume_to is not None:
+            mend = "Give pressure_kPa instead of volume_ml."
+            raise SceneError(
+                f"volume control is switched off, but a volume ends the path. {mend}",
+                field="effects.volume_control", value="off", mend=mend,
+            )  # fmt: skip
+        if forced.get("finite_strain") == "off":
+            for name in ("self_contact", "plate_contact", "cylinder_contact", "hyperelasticity"):
+                if forced.get(name) == "on":
+                    why = "one linear solution holds neither contact nor a curved law"
+                    raise refuse_together(name, "finite_strain", why)
+
+    @property
+    def forced(self) -> dict[str, Choice]:
+        """What is not left to the studio, by name."""
+        return checked_choices({**dict(self.effects), "self_contact": self.self_contact})
+
+    def choice(self, name: str) -> Choice:
+        """How an effect is chosen."""
+        return self.forced.get(name, "auto")
+
+    def choosing(self, **choices: Choice) -> "Scene":
+        """The same scene with these choices in place of its own."""
+        merged = {**self.forced, **choices}
+        return replace(self, effects=merged, self_contact=merged.get("self_contact", "auto"))
 
     def _check_inflation(self) -> None:
         if (self.pressure_to is None) == (self.volume_to is None):

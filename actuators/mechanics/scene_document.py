@@ -1,9 +1,12 @@
 """A scene in its border form: a JSON object in kPa, ml, mm and N."""
 
+import difflib
+import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from actuators.errors import SceneError
+from actuators.mechanics.choices import NAMES, checked_choices
 from actuators.mechanics.obstacles import Cylinder, Plate, Triple
 
 if TYPE_CHECKING:
@@ -36,8 +39,7 @@ def read_scene(document: Mapping[str, Any], gravity: Triple) -> dict[str, Any]:
     found["outside_on"] = document.get("outside_on", "bottom")
     found["plate"] = _plate(document.get("plate"))
     found["cylinder"] = _cylinder(document.get("cylinder"))
-    effects = _object(document, "effects", ("self_contact",)) or {}
-    found["self_contact"] = effects.get("self_contact", "auto")
+    found["effects"] = checked_choices(_object(document, "effects", NAMES) or {})
     return found
 
 
@@ -67,8 +69,8 @@ def write_scene(scene: "Scene") -> dict[str, Any]:
             "centre_mm": [_border(x, 1e3) for x in scene.cylinder.centre],
             "axis": [_border(x, 1.0) for x in scene.cylinder.axis],
         }
-    if scene.self_contact != "auto":
-        document["effects"] = {"self_contact": scene.self_contact}
+    if scene.forced:
+        document["effects"] = dict(scene.forced)
     return document
 
 
@@ -81,9 +83,11 @@ def _inflation(
 ) -> tuple[float, int | None]:
     given = document.get(key)
     if not isinstance(given, Mapping) or not _is_number(given.get("to")):
+        mend = f'Write for example "{key}": {{"to": {example:g}}}.'
+        what = "is missing" if given in (None, {}) else f"is {json.dumps(given, default=str)}"
         raise SceneError(
-            f"{key} is {given!r}; give {{'to': {unit}, 'steps': number or 'auto'}}.",
-            field=key, value=repr(given), mend=f"For example {{'to': {example:g}}}.",
+            f"{key} {what}; it must say where the path ends, in {unit}. {mend}",
+            field=key, value=repr(given), mend=mend,
         )  # fmt: skip
     steps = given.get("steps", "auto")
     if steps in ("auto", None):
@@ -136,17 +140,19 @@ def _object(
             field=key, value=repr(given), mend=f"Give an object, or leave {key} out.",
         )  # fmt: skip
     entry = cast("Mapping[str, Any]", given)
-    _only(entry, known, f"{key} of a scene")
+    _only(entry, known, f"the {key} of a scene")
     return entry
 
 
 def _only(document: Mapping[str, Any], known: Sequence[str], where: str) -> None:
     for key in document:
         if key not in known:
+            near = difflib.get_close_matches(key, known, n=1, cutoff=0.5)
+            mend = f"Did you mean {near[0]}?" if near else f"Remove {key} from the scene."
             raise SceneError(
-                f"{key} is not part of {where} this version can compute. "
+                f"{key} is not part of {where} this version can compute. {mend} "
                 f"Known: {', '.join(sorted(known))}.",
-                field=key, value=repr(document[key]), mend=f"Remove {key} from the scene.",
+                field=key, value=repr(document[key]), mend=mend,
             )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from actuators.design import FAMILIES
+from actuators.mechanics.choices import NAMES
 from backend.history.schemas import Change, ParameterPair
 from storage import VersionRow
 
@@ -122,4 +123,13 @@ _ADDED: Mapping[str, tuple[str, str, Callable[[Mapping[str, Any]], Value]]] = {
     "plate": ("Plate", "", _plate),
     "cylinder": ("Cylinder", "", _cylinder),
     "self_contact": ("Self-contact", "", lambda s: s.get("effects", {}).get("self_contact")),
+    **{
+        f"effects.{name}": (
+            f"Effect: {name.replace('_', ' ')}",
+            "",
+            lambda s, name=name: s.get("effects", {}).get(name),
+        )
+        for name in NAMES
+        if name != "self_contact"
+    },
 }

@@ -1,8 +1,11 @@
 """Instant answers, and jobs."""
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Query, Request
+from fastapi.concurrency import run_in_threadpool
 
 from backend.simulations import jobs, service
+from backend.simulations import ladder as rungs
+from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest
 from backend.simulations.schemas import (
     Job,
     JobState,
@@ -11,15 +14,33 @@ from backend.simulations.schemas import (
     PredictRequest,
     ResultDocument,
 )
-from backend.wiring import Author, Queue, Storage
+from backend.wiring import Author, Helper, Queue, Storage
 
 router = APIRouter(tags=["simulations"])
 
 
 @router.post("/predict")
-def predict(body: PredictRequest) -> Prediction:
-    """Ask an instant rung; nothing is stored."""
-    return service.predict(body)
+async def predict(body: PredictRequest, request: Request, helper: Helper) -> Prediction:
+    """Ask an instant rung; nothing is stored. `cell-rod` takes some tenths of a second where its
+    chambers are new, in a process of its own: questions wait for their turn, and one whose asker
+    has gone away is dropped."""
+    if body.rung == "cell-rod":
+        return (await helper.answer(body, request.is_disconnected)).given()
+    return await run_in_threadpool(service.predict, body)
+
+
+@router.post("/ladder")
+async def ladder(
+    body: LadderRequest, request: Request, store: Storage, helper: Helper
+) -> LadderAnswer:
+    """What every rung costs in seconds and how far off it is. Instant rungs are answered now,
+    finite elements are looked up in the store; those that have not run are predicted."""
+    question = PredictRequest(design=body.design, scene=body.scene, rung="cell-rod")
+    if "cell-rod" in body.run:
+        found = await helper.answer(question, request.is_disconnected)
+    else:
+        found = helper.kept(question)
+    return await run_in_threadpool(rungs.ladder, store, body, found)
 
 
 @router.post("/jobs", status_code=201)

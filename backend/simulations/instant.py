@@ -6,11 +6,12 @@ from typing import Any, Literal
 
 from actuators.design import PRESETS, Design
 from actuators.errors import QuestionError
+from actuators.mechanics.choices import Choice
 from actuators.mechanics.predict import predict
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import STRONGEST, Scene
 
-InstantRung = Literal["closed-form", "energy"]
+InstantRung = Literal["closed-form", "energy", "cell-rod"]
 
 
 def answer(
@@ -59,6 +60,7 @@ def answer_in_part(
         try:
             return answer(design, scene, rung=rung, c=c), tuple(left_out)
         except QuestionError as refusal:
+            scene, chosen = _freed(scene, refusal.field), scene.forced
             if refusal.field in _WITHOUT:
                 scene = replace(scene, **_WITHOUT[refusal.field])
             elif refusal.field == "volume" and scene.volume_to is not None:
@@ -66,9 +68,17 @@ def answer_in_part(
                 if pressure is None:
                     raise
                 scene = replace(scene, volume_to=None, pressure_to=pressure)
-            else:
+            elif scene.forced == chosen:
                 raise
             left_out.append(LeftOut(refusal.field, str(refusal)))
+
+
+def _freed(scene: Scene, field: str) -> Scene:
+    """The scene without the choice that forces this field on."""
+    plain = field.removeprefix("effects.")
+    names = {plain, f"{plain}_contact", f"{plain}_control"} & set(scene.forced)
+    free: dict[str, Choice] = dict.fromkeys(names, "auto")
+    return scene.choosing(**free) if names else scene
 
 
 def _pressure_at_volume(design: Design, volume: float, rung: InstantRung, c: Any) -> float | None:

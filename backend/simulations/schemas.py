@@ -7,7 +7,7 @@ from pydantic import ConfigDict, Field
 
 from backend.documents import Answer, Body, DesignDocument, SceneDocument, Triple
 
-InstantRung = Literal["closed-form", "energy"]
+InstantRung = Literal["closed-form", "energy", "cell-rod"]
 JobState = Literal["queued", "running", "done", "failed", "cancelled"]
 
 
@@ -42,8 +42,18 @@ class EffectNote(Answer):
     name: str
     on: bool
     reason: str
-    estimated_change_percent: float | None
-    cost_s: float | None = Field(description="[s]")
+    estimated_change_percent: float | None = Field(
+        description="How much leaving it out would change the tip's way, estimated beforehand [%]"
+    )
+    cost_s: float | None = Field(
+        description="What having it costs, or would cost, in this answer [s]; below 0: it saves"
+    )
+    cost_factor: float | None = Field(
+        default=None, description="Time of an answer with it over one without, as measured"
+    )
+    forced: Literal["auto", "on", "off"] = Field(
+        default="auto", description="The scene's own choice"
+    )
 
 
 class ResultDocument(Answer):
@@ -102,6 +112,14 @@ class LeftOutLoad(Answer):
     reason: str
 
 
+class TypicalError(Answer):
+    """How far off such an answer typically is: of the tip's displacement, in percent."""
+
+    half_below_percent: float
+    four_of_five_below_percent: float
+    source: str = Field(description="Who measured it, on what")
+
+
 class Prediction(Answer):
     """An instant answer and how long its stages took."""
 
@@ -109,6 +127,9 @@ class Prediction(Answer):
     left_out: list[LeftOutLoad] = Field(
         description="Loads that were left out; the result's `scene` is the one answered. A volume "
         "to reach is replaced by the pressure at which the rung's own cavity has it"
+    )
+    typical_errors: list[TypicalError | None] = Field(
+        description="For every point of the result's path; null where nobody has measured"
     )
     timings_ms: dict[str, float] = Field(description="Milliseconds by stage; `total` is all [ms]")
 
@@ -120,7 +141,7 @@ class NewJob(Body):
     scene: SceneDocument | None = Field(
         default=None, description="The version's own scene when left out"
     )
-    rung: Literal["fe"] = "fe"
+    rung: Literal["fe", "cell-rod"] = "fe"
     accuracy: float = Field(
         default=0.05, ge=0.001, le=0.5, description="Wanted accuracy as a fraction: 0.05 is 5 %"
     )

@@ -2,9 +2,16 @@
 
 import time
 
+from actuators.mechanics.ladder import typical_error
 from backend.designs.question import read_design, read_scene
 from backend.simulations.instant import answer, answer_in_part
-from backend.simulations.schemas import LeftOutLoad, Prediction, PredictRequest, ResultDocument
+from backend.simulations.schemas import (
+    LeftOutLoad,
+    Prediction,
+    PredictRequest,
+    ResultDocument,
+    TypicalError,
+)
 
 
 def predict(body: PredictRequest) -> Prediction:
@@ -24,6 +31,16 @@ def predict(body: PredictRequest) -> Prediction:
     timings["total"] = (time.perf_counter() - start) * 1e3
     return Prediction(
         result=result,
+        typical_errors=[
+            None
+            if each is None
+            else TypicalError(
+                half_below_percent=100 * each.half,
+                four_of_five_below_percent=100 * each.most,
+                source=each.source,
+            )
+            for each in typical_error(design, response)
+        ],
         left_out=[LeftOutLoad(field=each.field, reason=each.reason) for each in left_out],
         timings_ms={name: round(value, 3) for name, value in timings.items()},
     )

@@ -1,5 +1,6 @@
 """Where the page is served: a loopback address and a free port."""
 
+import http.client
 import ipaddress
 import socket
 import time
@@ -62,6 +63,7 @@ def answers(address: str, *, timeout_s: float, meanwhile: Callable[[], bool]) ->
             with opener.open(f"{address}/api/health", timeout=2) as reply:
                 if reply.status == 200:
                     return True
-        except (urllib.error.URLError, OSError):
+        except (urllib.error.URLError, OSError, http.client.HTTPException):
+            # a free port may also connect to itself, and hand the question back
             time.sleep(0.05)
     return False

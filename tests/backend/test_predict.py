@@ -67,10 +67,10 @@ def test_a_load_the_rung_cannot_carry_is_refused_or_named(client: TestClient) ->
     refused = client.post("/api/predict", json=body)
     assert refused.status_code == 422
     assert refused.json()["detail"]["kind"] == "question"
-    assert "rung fe" in refused.json()["detail"]["mend"]
+    assert "rung cell-rod or fe" in refused.json()["detail"]["mend"]
     answer = client.post("/api/predict", json={**body, "beyond": "leave out"}).json()
-    assert {each["field"] for each in answer["left_out"]} == {"tip_force", "plate"}
-    assert set(answer["result"]["scene"]) == {"pressure_kPa", "gravity_m_s2"}
+    assert {each["field"] for each in answer["left_out"]} == {"plate"}
+    assert set(answer["result"]["scene"]) == {"pressure_kPa", "gravity_m_s2", "tip_force_N"}
 
 
 def test_a_volume_is_answered_at_the_pressure_that_gives_it(client: TestClient) -> None:
@@ -100,7 +100,7 @@ def test_a_comparison_lists_loads_that_one_side_has_and_leaves_them_out_of_its_i
     assert rows["plate"] == ("5 mm away", None)
     assert rows["tip_force"] == ("(0, 0, 0.05)", None)
     assert rows["self_contact"] == (None, "off")
-    assert set(compared["left"]["instant_left_out"]) == {"plate", "tip_force"}
+    assert set(compared["left"]["instant_left_out"]) == {"plate"}
     assert compared["left"]["instant_result"] is not None
     assert compared["right"]["instant_left_out"] == []
     changed = client.get(f"/api/designs/{loaded['design_id']}").json()["versions"][0]["changes"]

@@ -59,7 +59,14 @@ class Studio:
         self.page.goto(base + self.view["url"])
         self.page.wait_for_selector("canvas[data-engine]")
         self.page.evaluate(WATCH)
-        self.page.wait_for_function("window.coloured.at(-1) > 100", timeout=30_000)
+        self._drawn(60.0)
+
+    def _drawn(self, seconds: float) -> None:
+        # wait_for_function would evaluate text in the page, which its security policy forbids
+        end = time.monotonic() + seconds
+        while not self.page.evaluate("() => window.coloured.at(-1) > 100"):
+            assert time.monotonic() < end, "the viewer has drawn no body"
+            self.page.wait_for_timeout(100)
 
     def call(self, method: str, path: str, body: Any) -> Any:
         return self.driver.evaluate(CALL, [method, path, body])

@@ -124,7 +124,6 @@ def test_a_load_out_of_the_middle_plane_needs_the_whole_body(scene: Scene, symme
     [
         (Scene(volume_to=1e-5), "volume"),
         (Scene(-1e3), "pressure"),
-        (Scene(1e3, outside_pressure=100.0), "outside_pressure"),
         (Scene(1e3, plate=Plate(0.0)), "plate"),
         (Scene(1e3, cylinder=Cylinder(0.01, (0, 0, -0.1))), "cylinder"),
         (Scene(1e3, self_contact="on"), "self_contact"),
@@ -133,7 +132,14 @@ def test_a_load_out_of_the_middle_plane_needs_the_whole_body(scene: Scene, symme
 def test_instant_rungs_name_the_one_that_carries_a_load(
     scene: Scene, field: str, rung: str
 ) -> None:
-    with pytest.raises(QuestionError, match="rung fe") as refusal:
+    with pytest.raises(QuestionError, match=r"rung (cell-rod or )?fe") as refusal:
         predict(preset("slab-rectangle-low").design, scene, rung=rung)
     assert refusal.value.field == field
     assert isinstance(refusal.value, InputError)
+
+
+def test_the_closed_form_leaves_outer_loads_to_rungs_with_a_rod() -> None:
+    for scene in (Scene(1e3, outside_pressure=100.0), Scene(1e3, tip_force=(0.0, 0.0, 0.1))):
+        with pytest.raises(QuestionError, match="cell-rod or fe"):
+            predict(preset("slab-rectangle-low").design, scene, rung="closed-form")
+        assert predict(preset("slab-rectangle-low").design, scene).path

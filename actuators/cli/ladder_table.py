@@ -1,0 +1,110 @@
+"""A ladder as text."""
+
+from collections.abc import Sequence
+
+import click
+
+from actuators.cli.tables import table
+from actuators.mechanics.ladder import Choice, Ladder, Point
+from actuators.mechanics.response import Outcome
+
+HEADINGS = (
+    "rung",
+    "seconds",
+    "error/%",
+    "compared at/kPa",
+    "tip moves by/mm",
+    "ends at/kPa",
+    "how it stands",
+)
+
+
+def print_ladder(built: Ladder, choices: Sequence[Choice], budget: float | None) -> None:
+    """Table, then what must be read beside it."""
+    click.echo(table(HEADINGS, [_row(point) for point in built.points]))
+    best = built.best
+    if best is not None:
+        click.echo(
+            f"\nBest answer so far: {best.rung.label}. Errors are fractions of the tip's whole way "
+            "from the straight body, its sag under weight included, at the pressure compared at."
+        )
+        if best.outcome is Outcome.LIMIT_POINT:
+            click.echo(f"It ends at a limit point: {_end(best)} kPa is its answer to how far the "
+                       "pressure can go, and nothing is known beyond.")  # fmt: skip
+    learned = built.learned_from
+    click.echo(
+        "~: predicted, from "
+        + (f"{learned} past jobs of this machine" if learned else "no job of this machine yet")
+        + " and the package's record; a range holds four of five."
+    )
+    if budget is not None:
+        click.echo(f"Finite elements were given {budget:g} s in all (--budget, --run).")
+    for choice in choices:
+        click.echo(f"Chosen for {choice.why}")
+    for point in built.points:
+        for sentence in (point.reason, point.advice):
+            if sentence:
+                click.echo(f"  {point.rung.label}: {sentence}")
+    for point in {p.rung.name: p for p in built.points}.values():
+        if point.state != "refused" and point.rung.leaves_out:
+            click.echo(f"  {point.rung.name} leaves out: {', '.join(point.rung.leaves_out)}.")
+
+
+def _row(point: Point) -> list[str]:
+    return [point.rung.label, _seconds(point), _error(point), _compared(point), _tip(point),
+            _end(point), _standing(point)]  # fmt: skip
+
+
+def _seconds(point: Point) -> str:
+    if point.seconds is None or point.same_as is not None:
+        return "-"
+    if point.state == "measured":
+        return f"{point.seconds.value:.2g}"
+    low, high = _short(point.seconds.low), _short(point.seconds.high)
+    return f"~{_short(point.seconds.value)} ({low} to {high})"
+
+
+def _short(seconds: float) -> str:
+    # two digits, and no power of ten for what is some minutes
+    return f"{float(f'{seconds:.2g}'):g}"
+
+
+def _error(point: Point) -> str:
+    if point.error is None:
+        return "-"
+    low, high = 100 * point.error.low, 100 * point.error.high
+    if point.error_kind == "against best":
+        return f"{100 * point.error.value:.2g} ({low:.2g} to {high:.2g})"
+    if point.error_kind == "typical":
+        return f"typically {100 * point.error.value:.2g}, mostly below {high:.2g}"
+    return f"at most {high:.2g}"
+
+
+def _compared(point: Point) -> str:
+    if point.apart is not None:
+        return f"{point.apart.pressure / 1e3:.4g}"
+    return "-" if point.error is None else _end(point)
+
+
+def _tip(point: Point) -> str:
+    if point.tip is None:
+        return "-"
+    return ", ".join(f"{1e3 * x + 0.0:.2f}" for x in point.tip)
+
+
+def _end(point: Point) -> str:
+    return "-" if point.pressure is None else f"{point.pressure / 1e3:.4g}"
+
+
+def _standing(point: Point) -> str:
+    if point.same_as is not None:
+        return f"as {point.same_as.label}, which is this accurate"
+    if point.stopped_after is not None:
+        return f"stopped after {_short(point.stopped_after)} s"
+    if point.state != "measured" or point.outcome is None:
+        return point.state
+    words = point.outcome.value.replace("_", " ")
+    if point.is_best:
+        is_limit = point.outcome is Outcome.LIMIT_POINT
+        return f"{words}, best" + (" up to there" if is_limit else "")
+    return words + (", contradicted" if point.is_contradicted else "")

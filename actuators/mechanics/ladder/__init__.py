@@ -1,0 +1,28 @@
+"""The ladder: for one design in one scene, what every rung costs in seconds and how far off it is.
+
+Nothing here solves in three dimensions, and nothing here reads or writes what a user has: answers
+and timings are handed in.
+"""
+
+from actuators.mechanics.ladder.answer import Answer, Difference, difference
+from actuators.mechanics.ladder.build import Ladder, ask_instant, build_ladder, expected_time
+from actuators.mechanics.ladder.choice import (
+    Choice,
+    Limit,
+    as_it_went,
+    at_most_error,
+    at_most_seconds,
+)
+from actuators.mechanics.ladder.cost import CostModel, TimeEstimate, Timings
+from actuators.mechanics.ladder.points import Point, Span, Typical
+from actuators.mechanics.ladder.question import FEATURES, features
+from actuators.mechanics.ladder.record import cost_record
+from actuators.mechanics.ladder.rungs import Rung, ladder_rungs, read_rung
+from actuators.mechanics.ladder.typical import typical_at, typical_error
+
+__all__ = [
+    "FEATURES", "Answer", "Choice", "CostModel", "Difference", "Ladder", "Limit", "Point", "Rung",
+    "Span", "TimeEstimate", "Timings", "Typical", "as_it_went", "ask_instant", "at_most_error",
+    "at_most_seconds", "build_ladder", "cost_record", "difference", "expected_time", "features",
+    "ladder_rungs", "read_rung", "typical_at", "typical_error",
+]  # fmt: skip

@@ -1,0 +1,1 @@
+"""Which physical effects a question calls for, before it is solved."""

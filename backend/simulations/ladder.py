@@ -1,0 +1,116 @@
+"""The ladder over HTTP: instant rungs answered now, finite elements from the store or predicted."""
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+
+from actuators.design import Design
+from actuators.errors import QuestionError
+from actuators.mechanics.ladder import (
+    Answer,
+    Rung,
+    ask_instant,
+    at_most_error,
+    at_most_seconds,
+    build_ladder,
+    ladder_rungs,
+)
+from actuators.mechanics.scene import Scene
+from backend.designs.question import read_design, read_scene
+from backend.simulations.aside import Kept
+from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest
+from backend.simulations.past_jobs import cost_model
+from storage import JobRow, ResultRow, Store
+from storage.question import OPEN_OUTCOMES, science_version
+
+BESIDE = Rung("cell-rod")
+"""The rung that a helper process answers."""
+
+
+@dataclass(eq=False)
+class _Known:
+    """What is there about one question. ``jobs``: under way, by rung."""
+
+    answers: list[Answer] = field(default_factory=list)
+    refusals: dict[Rung, str] = field(default_factory=dict)
+    spent: dict[Rung, float] = field(default_factory=dict)
+    jobs: dict[Rung, str] = field(default_factory=dict)
+
+
+def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswer:
+    """Points of every rung, and the rungs chosen for the limits of the request. ``aside``: what the
+    helper process found by the rung ``cell-rod``, if it was asked."""
+    design, scene = read_design(body.design), read_scene(body.scene)
+    known = _Known()
+    _ask_instant(design, scene, body.run, known)
+    _take(aside, known)
+    _read_results(store, design, scene, known)
+    _read_jobs(store, design, scene, known)
+    built = build_ladder(
+        design, scene, known.answers, known.refusals, cost_model(store), known.spent
+    )
+    choices = [at_most_error(built.points, p / 100) for p in body.at_most_percent]
+    choices += [at_most_seconds(built.points, s) for s in body.at_most_s]
+    document = built.to_document(choices)
+    for point, entry in zip(built.points, document["points"], strict=True):
+        entry["job_id"] = known.jobs.get(point.rung)
+    return LadderAnswer.model_validate(document)
+
+
+def _ask_instant(design: Design, scene: Scene, wanted: Collection[str], known: _Known) -> None:
+    for rung in ladder_rungs():
+        if not rung.is_instant or rung == BESIDE or rung.name not in wanted:
+            continue
+        found = ask_instant(design, scene, rung)
+        if isinstance(found, str):
+            known.refusals[rung] = found
+        else:
+            known.answers.append(found)
+
+
+def _take(aside: Kept | None, known: _Known) -> None:
+    if aside is None:
+        return
+    if aside.prediction is not None:
+        known.answers.append(Answer.of_document(aside.prediction.result.model_dump(), BESIDE))
+    elif isinstance(aside.refusal, QuestionError):
+        known.refusals[BESIDE] = str(aside.refusal)
+    else:
+        aside.given()
+
+
+def _read_results(store: Store, design: Design, scene: Scene, known: _Known) -> None:
+    """Stored answers of rungs not asked just now; of each the one of this version, else the
+    newest."""
+    rows = store.results_of(design.to_document(), scene.to_document())
+    rows.sort(key=lambda row: row.science_version != science_version())  # stable: newest first
+    seen = {answer.rung for answer in known.answers} | set(known.refusals)
+    for row in rows:
+        rung = _rung(row)
+        if rung in seen:
+            continue
+        seen.add(rung)
+        if row.outcome in OPEN_OUTCOMES:
+            known.spent[rung] = float(row.document.get("wall_s") or 0.0)
+            continue
+        is_older = row.science_version != science_version()
+        known.answers.append(Answer.of_document(row.document, rung, is_older=is_older))
+
+
+def _read_jobs(store: Store, design: Design, scene: Scene, known: _Known) -> None:
+    """Jobs under way, and the words of those that failed with this version."""
+    rows = store.list_jobs(
+        content=(design.digest, scene.digest), states=("queued", "running", "failed"), limit=100
+    )
+    answered = {answer.rung for answer in known.answers}
+    for row in rows:
+        rung = _rung(row)
+        if row.active:
+            known.jobs.setdefault(rung, row.id)
+        elif row.science_version == science_version() and rung not in answered and row.error:
+            known.refusals.setdefault(rung, row.error)
+
+
+def _rung(row: ResultRow | JobRow) -> Rung:
+    if row.rung != "fe":
+        return Rung(row.rung)
+    return Rung("fe", mesh=row.mesh) if row.mesh is not None else Rung("fe", row.accuracy)

@@ -1,0 +1,70 @@
+"""How long jobs have taken, for predictions; and every answer to one question."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sqlalchemy import select
+
+from actuators.design import parse_design
+from actuators.mechanics.scene import Scene
+from storage import tables
+from storage.database import Database
+from storage.question import OPEN_OUTCOMES
+from storage.rows import ResultRow, TimingRow
+
+
+class Timings(Database):
+    """What finished jobs tell about the next one."""
+
+    def recent_timings(
+        self, rung: str, *, host: str | None = None, limit: int = 100
+    ) -> list[TimingRow]:
+        """The latest jobs of a rung that a worker computed to an end, newest first. ``host``: only
+        those of workers on that machine."""
+        j, r = tables.job.c, tables.result.c
+        query = (
+            select(
+                r.digest, r.document, r.accuracy, r.mesh, r.outcome, j.worker, j.finished_at,
+            )
+            .select_from(tables.job.join(tables.result, r.digest == j.digest))
+            .where(
+                j.state == "done", j.rung == rung, ~j.from_store, j.follows.is_(None),
+                r.outcome.not_in(OPEN_OUTCOMES),
+            )
+            .order_by(j.finished_at.desc(), j.id)
+            .limit(limit)
+        )  # fmt: skip
+        if host is not None:
+            query = query.where(j.worker.endswith(f"@{host}", autoescape=True))
+        with self._read() as connection:
+            rows = connection.execute(query).mappings().all()
+        return [
+            TimingRow(
+                digest=row["digest"],
+                design=row["document"]["design"],
+                scene=row["document"]["scene"],
+                accuracy=row["accuracy"],
+                mesh=row["mesh"],
+                seconds=float(row["document"]["wall_s"]),
+                outcome=row["outcome"],
+                worker=row["worker"],
+                finished_at=row["finished_at"],
+            )
+            for row in rows
+            if row["document"].get("wall_s")
+        ]
+
+    def results_of(self, document: Mapping[str, Any], scene: Mapping[str, Any]) -> list[ResultRow]:
+        """Every stored answer for a design in a scene, of every rung, newest first; some may come
+        from an older ``science_version``."""
+        r = tables.result
+        query = (
+            select(r)
+            .where(
+                r.c.design_digest == parse_design(document).digest,
+                r.c.scene_digest == Scene.from_document(scene).digest,
+            )
+            .order_by(r.c.created_at.desc())
+        )
+        with self._read() as connection:
+            return [ResultRow(**row) for row in connection.execute(query).mappings()]

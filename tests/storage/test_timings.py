@@ -1,0 +1,52 @@
+"""What finished jobs tell about the next one."""
+
+from storage import Store, VersionRow
+from storage.question import science_version
+from tests.storage.conftest import SCENE, SLAB
+
+
+def answered(
+    store: Store, version: VersionRow, seconds: float, *, accuracy: float = 0.05,
+    worker: str = "w1@bench", outcome: str = "converged", mesh: str | None = None,
+) -> None:  # fmt: skip
+    job = store.submit(version.id, SCENE, "fe", accuracy, "ada", mesh=mesh)
+    taken = store.claim(job.id, worker=worker, science_version=science_version())
+    assert taken is not None
+    document = {
+        "design": taken.design, "scene": taken.scene, "wall_s": seconds, "outcome": outcome,
+        "advice": None, "path": [],
+    }  # fmt: skip
+    store.finish(job.id, taken.attempt, document, b"arrays")
+
+
+def test_timings_are_those_of_jobs_that_were_computed_to_an_end(
+    store: Store, version: VersionRow
+) -> None:
+    answered(store, version, 3.0, accuracy=0.1)
+    answered(store, version, 7.0, accuracy=0.05, mesh="coarse")
+    answered(store, version, 60.0, accuracy=0.01, outcome="budget_spent")
+    twin = store.create_design("Twin", "ada", SLAB, SCENE, "")[1]
+    assert store.submit(twin.id, SCENE, "fe", 0.1, "ada").from_store
+    found = store.recent_timings("fe")
+    assert [(t.seconds, t.accuracy, t.mesh) for t in found] == [
+        (7.0, 0.05, "coarse"), (3.0, 0.1, None)
+    ]  # fmt: skip
+    assert found[0].design == SLAB
+    assert found[0].scene["pressure_kPa"]["to"] == 30
+    assert store.recent_timings("energy") == []
+    assert [t.seconds for t in store.recent_timings("fe", limit=1)] == [7.0]
+
+
+def test_timings_can_be_those_of_one_machine(store: Store, version: VersionRow) -> None:
+    answered(store, version, 3.0, accuracy=0.1, worker="w1@bench")
+    answered(store, version, 1.0, accuracy=0.05, worker="w1@fast_bench")
+    assert [t.seconds for t in store.recent_timings("fe", host="bench")] == [3.0]
+    assert store.recent_timings("fe", host="fast%") == []
+
+
+def test_every_answer_to_a_question_is_found(store: Store, version: VersionRow) -> None:
+    answered(store, version, 3.0, accuracy=0.1)
+    answered(store, version, 7.0, accuracy=0.02)
+    found = store.results_of(SLAB, SCENE)
+    assert [r.accuracy for r in found] == [0.02, 0.1]
+    assert store.results_of(SLAB, {"pressure_kPa": {"to": 31}}) == []
