@@ -6,7 +6,10 @@ import { connectLive } from "./api/live";
 import { families, materials, presets, queryClient } from "./api/queries";
 import { Studio } from "./app/Studio";
 import { announceJobs } from "./jobs/announce";
+import { followForLadder } from "./ladder/ask";
+import { followForEffects } from "./scene/effectPlan";
 import { followBench } from "./workbench/answers";
+import { followForRefined } from "./workbench/refined";
 import "./theme/tokens.css";
 import "./theme/base.css";
 import "./theme/theme";
@@ -21,6 +24,9 @@ void Promise.allSettled(early);
 
 connectLive();
 followBench();
+followForRefined();
+followForEffects();
+followForLadder();
 announceJobs();
 
 createRoot(root).render(

@@ -3,6 +3,7 @@
 import os
 import re
 import signal
+import time
 from collections.abc import Generator
 from pathlib import Path
 
@@ -46,11 +47,16 @@ def picture(page: Page, name: str) -> None:
 
 
 def number(page: Page, name: str) -> float:
-    """What the table of numbers shows."""
-    text = page.get_by_test_id(f"number-{name}").inner_text()
-    found = re.search(r"-?\d+(\.\d+)?", text.replace("\u2212", "-"))
-    assert found, f"{name} shows {text!r}"
-    return float(found[0])
+    """What the table of numbers shows, once it shows one."""
+    cell = page.get_by_test_id(f"number-{name}")
+    end = time.monotonic() + 20
+    while True:
+        text = cell.inner_text()
+        found = re.search(r"-?\d+(\.\d+)?", text.replace("\u2212", "-"))
+        if found:
+            return float(found[0])
+        assert time.monotonic() < end, f"{name} shows {text!r}"
+        page.wait_for_timeout(100)
 
 
 def set_number(page: Page, parameter: str, value: str) -> None:

@@ -1,31 +1,17 @@
 import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 
-import { api, messageOf, take } from "../api/client";
-import { withJob } from "../api/live";
-import { keys, queryClient, useHealth } from "../api/queries";
-import { usePick } from "../api/store";
-import type { Job } from "../api/types";
-import { shownJob } from "../results/shown";
+import { useHealth } from "../api/queries";
+import { usePick, useStore } from "../api/store";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { Segmented } from "../ui/Segmented";
 import { Select } from "../ui/Select";
-import { showToast } from "../ui/toasts";
-import { setViewer } from "../viewer/settings";
 import { useHindrance } from "../workbench/hindrance";
-import { ensureSaved } from "../workbench/opening";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
-
-const ACCURACIES = [
-  { value: "0.1", label: "10 %", title: "A first look" },
-  { value: "0.05", label: "5 %", title: "Meshes are refined until the estimated errors are below 5 %" },
-  { value: "0.02", label: "2 %", title: "Fine meshes" },
-  { value: "0.01", label: "1 %", title: "Fine meshes: takes the longest" },
-] as const;
-
-type Accuracy = (typeof ACCURACIES)[number]["value"];
+import { accuracy, ACCURACIES } from "./accuracy";
+import { runFe } from "./submit";
 
 /** Empty: the accuracy decides. */
 const MESHES = [
@@ -36,15 +22,9 @@ const MESHES = [
   { value: "finest", label: "Finest mesh" },
 ] as const;
 
-async function submit(accuracy: Accuracy, mesh: string): Promise<Job> {
-  const versionId = await ensureSaved("Kept for a finite-element job");
-  const body = { version_id: versionId, rung: "fe" as const, accuracy: Number(accuracy), mesh: mesh || null, scene: null };
-  return take(api.POST("/api/jobs", { body }));
-}
-
 /** Sends what is on the bench to the queue, keeping it as a version first. */
 export function RunControl() {
-  const [accuracy, setAccuracy] = useState<Accuracy>("0.05");
+  const wanted = useStore(accuracy);
   const [mesh, setMesh] = useState("");
   const needsSaving = usePick(bench, (timeline) => {
     if (!timeline) return false;
@@ -52,16 +32,7 @@ export function RunControl() {
   });
   const hindered = useHindrance();
   const { data: health } = useHealth();
-  const run = useMutation({
-    mutationFn: () => submit(accuracy, mesh),
-    onMutate: () => setViewer({ source: "newest" }),
-    onSuccess: (job) => {
-      queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
-      shownJob.set({ kind: "newest" });
-      if (job.from_store) showToast({ tone: "good", text: "This question was answered before; the stored result is shown." });
-    },
-    onError: (error) => showToast({ tone: "bad", text: messageOf(error) }),
-  });
+  const run = useMutation({ mutationFn: () => runFe({ accuracy: Number(wanted), mesh: mesh || null }) });
   return (
     <div className="run-control">
       {health && !health.worker.alive && (
@@ -73,8 +44,8 @@ export function RunControl() {
       <Segmented
         label="Accuracy"
         options={ACCURACIES.map((each) => ({ ...each, disabled: mesh !== "" }))}
-        value={accuracy}
-        onChange={setAccuracy}
+        value={wanted}
+        onChange={accuracy.set}
         testId="accuracy"
       />
       <Select label="Mesh" value={mesh} options={MESHES} onChange={setMesh} testId="mesh" />

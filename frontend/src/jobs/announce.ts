@@ -5,13 +5,20 @@ import { shownJob } from "../results/shown";
 import { outcomeInWords } from "../results/words";
 import { dropDrafts } from "../ui/drafts";
 import { showToast } from "../ui/toasts";
-import { setViewer } from "../viewer/settings";
+import { setViewer, viewerSettings } from "../viewer/settings";
 import { openVersion } from "../workbench/opening";
 import { bench } from "../workbench/workbench";
 
 function isHere(job: Job): boolean {
   const origin = bench.get()?.present.origin;
   return origin?.kind === "version" && origin.versionId === job.version_id;
+}
+
+/** Whether the 3D view turns to this job's answer by itself: nothing is left to offer then. */
+function isShown(job: Job): boolean {
+  if (!isHere(job) || viewerSettings.get().source === "instant") return false;
+  const choice = shownJob.get();
+  return choice.kind === "newest" || (choice.kind === "job" && choice.id === job.id);
 }
 
 function look(job: Job): void {
@@ -34,7 +41,7 @@ function announce(job: Job): void {
   showToast({
     tone: early ? "info" : "good",
     text: `3D FE of ${job.design_name} is done. ${early ? outcomeInWords(job.outcome ?? "") : ""}`,
-    action: { label: isHere(job) ? "Show in 3D" : "Open", run: () => look(job) },
+    ...(isShown(job) ? {} : { action: { label: isHere(job) ? "Show in 3D" : "Open", run: () => look(job) } }),
   });
 }
 

@@ -3,6 +3,7 @@ import type { Result } from "../api/types";
 import { Icon } from "../ui/Icon";
 import { formatQuantity, formatSeconds, sentence } from "../ui/numbers";
 import { answers } from "../workbench/answers";
+import { modelName } from "../workbench/model";
 import type { ShownFe } from "./shown";
 import { endInWords } from "./words";
 
@@ -19,7 +20,7 @@ export function ModelNotes({ instant, fe, totalMs }: { instant: Result | null; f
     <div className="model-notes" data-testid="model-notes">
       {instant && (
         <ResultNotes
-          title="Instant model"
+          title={`${modelName(instant.rung)}, answered here`}
           className="series-instant"
           result={instant}
           facts={[totalMs === null ? "" : `answered in ${formatQuantity(totalMs, 2)} ms`]}

@@ -3,6 +3,7 @@ import { valueAt } from "../charts/curve";
 import { formatQuantity } from "../ui/numbers";
 import { MathSymbol } from "../ui/Symbol";
 import type { Control } from "../workbench/loads";
+import { modelName } from "../workbench/model";
 import { PRESSURE, QUANTITIES, type Quantity } from "./quantities";
 import { reached, within } from "./reached";
 import type { ShownFe } from "./shown";
@@ -39,8 +40,8 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
         <tr>
           <th scope="col">Quantity</th>
           {instant && (
-            <th scope="col" className="series-instant">
-              Instant
+            <th scope="col" className="series-instant" data-testid="drawn-model" data-rung={instant.rung}>
+              {modelName(instant.rung)}
             </th>
           )}
           {fe && <FeHead fe={fe} control={control} place={place} />}

@@ -8,6 +8,7 @@ import { ChartLegend } from "../charts/Legend";
 import { Icon } from "../ui/Icon";
 import { Segmented } from "../ui/Segmented";
 import { markPlotted } from "../workbench/latency";
+import { modelName } from "../workbench/model";
 import type { Control } from "../workbench/loads";
 import { scrubTo } from "../workbench/scrubber";
 import { BENDING_ANGLE } from "./quantities";
@@ -16,6 +17,8 @@ import { feLabel, kPa } from "./words";
 
 interface PlotsProps {
   instant: Result | null;
+  /** An instant answer that `instant` has taken over from. */
+  replaced: Result | null;
   fe: ShownFe | null;
   control: Control;
   at: number | null;
@@ -27,12 +30,22 @@ const plateForce = overControl((point) => point.plate_force_N);
 const cylinderForce = overControl((point) => point.cylinder_force_N);
 const pressurePoints = overControl((point) => point.pressure_kPa);
 
-function curvesOf({ instant, fe, control, stale }: PlotsProps, points: PointsOf): Curve[] {
+function curvesOf({ instant, replaced, fe, control, stale }: PlotsProps, points: PointsOf): Curve[] {
   const curves: Curve[] = [];
+  if (replaced) {
+    curves.push({
+      id: "replaced",
+      label: modelName(replaced.rung),
+      color: "--series-instant",
+      points: points(replaced, control),
+      style: "dashed",
+      faded: true,
+    });
+  }
   if (instant) {
     curves.push({
       id: "instant",
-      label: "Instant",
+      label: modelName(instant.rung),
       color: "--series-instant",
       points: points(instant, control),
       style: "line",

@@ -1,5 +1,6 @@
 import { useState } from "react";
 
+import { LadderPanel } from "../ladder/LadderPanel";
 import { useStore, usePick } from "../api/store";
 import type { Result } from "../api/types";
 import { isBeyondTrust, trustedPlace } from "../charts/curve";
@@ -8,8 +9,11 @@ import { Busy, Empty } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
 import { answers, isStale } from "../workbench/answers";
 import type { Control } from "../workbench/loads";
+import { modelName } from "../workbench/model";
 import { scrubber, shownPlace } from "../workbench/scrubber";
 import { bench } from "../workbench/workbench";
+import { useDrawn, type Drawn } from "./drawn";
+import { Forced, Typical } from "./Marks";
 import { ModelNotes, useNoteCount } from "./ModelNotes";
 import { NumbersTable } from "./NumbersTable";
 import { Plots } from "./Plots";
@@ -25,7 +29,8 @@ export function ResultsPanel() {
   const fe = useShownFe();
   const refused = (now.designProblem ?? now.sceneProblem) !== null || now.unreachable;
   const stale = work !== null && isStale(now, work) && refused;
-  const instant = now.instantProblem === null ? now.result : null;
+  const drawn = useDrawn();
+  const instant = drawn?.result ?? null;
   const control = work?.loads.control ?? "pressure";
   if (!instant && !fe) {
     return (
@@ -41,25 +46,28 @@ export function ResultsPanel() {
         ) : (
           <Busy label="Computing the first answer" />
         )}
+        <LadderPanel />
       </section>
     );
   }
   return (
     <section className={`results${stale ? " stale" : ""}`} aria-label="Results" data-testid="results">
-      <Beyond instant={instant !== null} leftOut={now.leftOut.map((load) => load.field)} />
-      <Plots instant={instant} fe={fe} control={control} at={at} input={now.input} stale={stale} />
-      <Details instant={instant} fe={fe} control={control} at={at} totalMs={now.totalMs} />
+      <Beyond instant={instant} leftOut={now.leftOut.map((load) => load.field)} />
+      <Plots instant={instant} replaced={drawn?.replaced ?? null} fe={fe} control={control} at={at} input={now.input} stale={stale} />
+      <Details drawn={drawn} fe={fe} control={control} at={at} />
+      <LadderPanel />
     </section>
   );
 }
 
 /** What of the loads the instant model could not carry. */
-function Beyond({ instant, leftOut }: { instant: boolean; leftOut: readonly string[] }) {
+function Beyond({ instant, leftOut }: { instant: Result | null; leftOut: readonly string[] }) {
+  const refinedTo = instant?.rung === "cell-rod";
   const missing = leftOut.filter((field) => field !== "volume");
   const sentences = [
     instant ? "" : "The instant model has no answer to this load; 3D FE has.",
-    missing.length > 0 && instant ? `Instant answer without ${loadsInWords(missing)}; 3D FE carries all loads.` : "",
-    missing.length < leftOut.length && instant ? "The volume of the instant answer rises in proportion to pressure; that of 3D FE does not." : "",
+    missing.length > 0 && instant ? withoutInWords(missing, refinedTo) : "",
+    missing.length < leftOut.length && instant && !refinedTo ? "The volume of the instant answer rises in proportion to pressure; that of 3D FE does not." : "",
   ].filter(Boolean);
   if (sentences.length === 0) return null;
   return (
@@ -70,17 +78,23 @@ function Beyond({ instant, leftOut }: { instant: boolean; leftOut: readonly stri
   );
 }
 
+function withoutInWords(missing: readonly string[], refinedTo: boolean): string {
+  const loads = loadsInWords(missing);
+  if (refinedTo) return `Cell + rod carries all loads, as 3D FE does; the pale energy curve is without ${loads}.`;
+  return `Instant answer without ${loads}; 3D FE carries all loads.`;
+}
+
 type Tab = "numbers" | "model";
 
 interface DetailsProps {
-  instant: Result | null;
+  drawn: Drawn | null;
   fe: ShownFe | null;
   control: Control;
   at: number | null;
-  totalMs: number | null;
 }
 
-function Details({ instant, fe, control, at, totalMs }: DetailsProps) {
+function Details({ drawn, fe, control, at }: DetailsProps) {
+  const instant = drawn?.result ?? null;
   const [tab, setTab] = useState<Tab>("numbers");
   const count = useNoteCount(instant, fe);
   return (
@@ -104,6 +118,8 @@ function Details({ instant, fe, control, at, totalMs }: DetailsProps) {
       </div>
       {tab === "numbers" && (
         <div className="marks">
+          {drawn && <Typical drawn={drawn} control={control} at={at} />}
+          <Forced results={[instant, fe?.result ?? null]} />
           {instant && <BeyondRange instant={instant} control={control} at={at} onRead={() => setTab("model")} />}
           {fe && fe.result.limit_pressure_kPa !== null && (
             <span className="stale-mark" data-testid="limit-pressure">
@@ -116,7 +132,7 @@ function Details({ instant, fe, control, at, totalMs }: DetailsProps) {
         {tab === "numbers" ? (
           <NumbersTable instant={instant} fe={fe} control={control} at={at} />
         ) : (
-          <ModelNotes instant={instant} fe={fe} totalMs={totalMs} />
+          <ModelNotes instant={instant} fe={fe} totalMs={drawn?.totalMs ?? null} />
         )}
       </div>
     </div>
@@ -136,7 +152,7 @@ function BeyondRange(props: { instant: Result; control: Control; at: number | nu
       data-testid="beyond-range"
       onClick={props.onRead}
     >
-      <Icon name="warning" size={12} /> Instant: beyond its range ({placeInWords(trusted, control)})
+      <Icon name="warning" size={12} /> {modelName(instant.rung)}: beyond its range ({placeInWords(trusted, control)})
     </button>
   );
 }

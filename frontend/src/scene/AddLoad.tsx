@@ -41,13 +41,6 @@ const ADDITIONS: readonly Addition[] = [
     there: (loads) => loads.outsidePressure !== null,
     first: () => ({ outsidePressure: 0.1 }),
   },
-  {
-    name: "self_contact",
-    title: "Self-contact by hand",
-    text: "Whether walls may touch; found automatically otherwise",
-    there: (loads) => loads.selfContact !== "auto",
-    first: () => ({ selfContact: "on" }),
-  },
 ];
 
 /** Loads and surroundings that are not there yet, each with sensible first values. */

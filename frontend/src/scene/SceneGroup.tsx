@@ -1,12 +1,12 @@
 import type { ProblemDetail } from "../api/types";
 import type { Work } from "../workbench/document";
-import type { Loads, SelfContact } from "../workbench/loads";
+import type { Loads } from "../workbench/loads";
 import { setLoads } from "../workbench/workbench";
-import { Segmented } from "../ui/Segmented";
 import { AddLoad } from "./AddLoad";
+import { EffectChips } from "./EffectChips";
 import { EndRow } from "./EndRow";
 import { GravityRows } from "./GravityRows";
-import { LoadRow, NumberRow, VectorRow } from "./LoadRow";
+import { NumberRow, VectorRow } from "./LoadRow";
 import { CylinderRows, PlateRows } from "./Obstacles";
 import { placeInScene, type ScenePlace } from "./places";
 
@@ -76,36 +76,7 @@ export function SceneGroup({ work, baseline, problem, elsewhere }: SceneGroupPro
       )}
       {loads.plate !== null && <PlateRows {...rows} plate={loads.plate} />}
       {loads.cylinder !== null && <CylinderRows {...rows} cylinder={loads.cylinder} />}
-      {loads.selfContact !== "auto" && <SelfContactRow {...rows} />}
+      <EffectChips {...rows} />
     </section>
-  );
-}
-
-const CONTACT: readonly { value: SelfContact; label: string; title: string }[] = [
-  { value: "auto", label: "Auto", title: "Looks for walls that meet, and lets them touch" },
-  { value: "on", label: "On", title: "Walls touch wherever they meet" },
-  { value: "off", label: "Off", title: "Walls pass through each other: for comparison only" },
-];
-
-function SelfContactRow(rows: SceneRows) {
-  const { loads, before } = rows;
-  return (
-    <LoadRow
-      {...rows}
-      place="self_contact"
-      label="Self-contact"
-      title="Walls of the actuator that touch each other"
-      changed={loads.selfContact !== before.selfContact}
-      kind="choice"
-      onRemove={() => setLoads("self_contact", { selfContact: "auto" })}
-    >
-      <Segmented
-        label="Self-contact"
-        options={CONTACT}
-        value={loads.selfContact}
-        onChange={(selfContact) => setLoads("self_contact", { selfContact })}
-        testId="choice-self_contact"
-      />
-    </LoadRow>
   );
 }

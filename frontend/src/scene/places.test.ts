@@ -19,8 +19,9 @@ describe("where a refusal of the scene belongs", () => {
     ["cylinder.centre_mm", "cylinder.centre"],
     ["cylinder.radius", "cylinder.radius"],
     ["gravity_m_s2", "gravity"],
-    ["effects.self_contact", "self_contact"],
-    ["self_contact", "self_contact"],
+    ["effects.gravity", "effects"],
+    ["effects", "effects"],
+    ["self_contact", "effects"],
   ])("%s is shown at %s", (field, place) => {
     expect(placeInScene(field, loads)).toBe(place);
   });

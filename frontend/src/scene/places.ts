@@ -13,7 +13,7 @@ const LABELS = {
   "cylinder.radius": "Cylinder, radius",
   "cylinder.centre": "Cylinder, centre",
   "cylinder.axis": "Cylinder, axis",
-  self_contact: "Self-contact",
+  effects: "Effects",
 } as const;
 
 export type ScenePlace = keyof typeof LABELS;
@@ -24,13 +24,12 @@ const PLACES = Object.keys(LABELS) as ScenePlace[];
 export function placeInScene(field: string, loads: Loads): ScenePlace | null {
   const path = field
     .replace(/^scene\./, "")
-    .replace(/^effects(\.|$)/, "self_contact")
     .replace(/_(kPa|ml|mm|N|m_s2)(?=\.|$)/g, "")
     .replace(/\.to$/, "");
   if (path === "steps") return loads.control;
   if (path === "plate") return "plate.gap";
   if (path === "cylinder") return "cylinder.centre";
-  if (path.startsWith("self_contact")) return "self_contact";
+  if (path.startsWith("effects") || path === "self_contact") return "effects";
   return PLACES.find((place) => place === path) ?? null;
 }
 

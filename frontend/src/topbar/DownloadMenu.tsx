@@ -7,6 +7,7 @@ import { Icon } from "../ui/Icon";
 import { sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
 import { answers } from "../workbench/answers";
+import type { Loads } from "../workbench/loads";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 import { download } from "./download";
@@ -31,6 +32,14 @@ const RESULT: readonly Entry[] = [
   { what: "result-csv", title: "Path, CSV", text: "One line for every pressure" },
   { what: "result-json", title: "Everything, JSON", text: "As the command line prints it" },
 ];
+
+/** What a deck cannot hold, in the words of `actuators/export/deck_limits.py`; empty where it can be made. */
+function notInADeck(loads: Loads | null): string {
+  if (loads === null) return "";
+  if (loads.control === "volume") return "CalculiX has no cavity of given volume. Prescribe a pressure.";
+  const obstacle = loads.plate ? "plate" : loads.cylinder ? "cylinder" : "";
+  return obstacle && `A deck does not carry a ${obstacle}. Leave the ${obstacle} out.`;
+}
 
 /** Files for making, for other solvers, and of the finite-element result. */
 export function DownloadMenu() {
@@ -63,12 +72,13 @@ function Files({ onDone }: { onDone: () => void }) {
     const present = timeline?.present;
     return present?.origin.kind === "version" && !isChanged(present);
   });
+  const loads = usePick(bench, (timeline) => timeline?.present.work.loads ?? null);
   const fe = useShownFe();
   const noResult = fe && saved ? "" : "Save and run 3D FE first.";
   return (
     <div className="menu files-menu">
       <Section title="Make" entries={MAKE} reason={(what) => unavailable?.[what] ?? ""} onDone={onDone} />
-      <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => ""} onDone={onDone} />
+      <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => notInADeck(loads)} onDone={onDone} />
       <Section title="Result of 3D FE" entries={RESULT} reason={() => noResult} onDone={onDone} />
     </div>
   );

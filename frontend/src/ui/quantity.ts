@@ -8,6 +8,8 @@ const KINDS: readonly Readonly<Record<string, number>>[] = [
   { ml: 1, l: 1000, L: 1000, cm3: 1, "cm³": 1, mm3: 1e-3, "mm³": 1e-3, m3: 1e6, "m³": 1e6 },
   { N: 1, mN: 1e-3, kN: 1000 },
   { "m/s²": 1, "m/s2": 1 },
+  { "%": 1 },
+  { s: 1, ms: 1e-3, min: 60, h: 3600 },
   { deg: 1, "°": 1, rad: 180 / Math.PI },
 ];
 

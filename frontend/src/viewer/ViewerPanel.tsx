@@ -58,7 +58,7 @@ function Toolbar() {
         label="Source of the 3D view"
         value={source}
         options={[
-          { value: "instant", label: "Instant", title: "The instant answer to the parameters as they stand" },
+          { value: "instant", label: "Energy", title: "The energy model's answer to the parameters as they stand" },
           {
             value: "fe",
             label: "FE",

@@ -8,6 +8,7 @@ import { dragging } from "../ui/dragging";
 import { sameDesign, sameQuestion, type DesignDocument, type Work } from "./document";
 import { sceneOf } from "./loads";
 import { latestInput } from "./latency";
+import { modelChoice, movingRung, type TypicalErrors } from "./model";
 import { bench } from "./workbench";
 
 export interface Answers {
@@ -16,6 +17,8 @@ export interface Answers {
   readonly answered: Work | null;
   readonly input: number;
   readonly totalMs: number | null;
+  /** How far off such answers typically are, at every point of `result`. */
+  readonly typical: TypicalErrors;
   readonly check: DesignCheck | null;
   readonly checked: DesignDocument | null;
   /** What is wrong with the design on the bench, from either question. */
@@ -33,6 +36,7 @@ const NOTHING: Answers = {
   answered: null,
   input: 0,
   totalMs: null,
+  typical: [],
   check: null,
   checked: null,
   designProblem: null,
@@ -60,7 +64,11 @@ function asProblem(error: unknown): ProblemDetail | null {
 }
 
 const predictions = new Lane<Question, Prediction>(
-  ({ work }) => take(api.POST("/api/predict", { body: { design: work.design, scene: sceneOf(work.loads), rung: "energy", c: "computed", beyond: "leave out" } })),
+  ({ work }) => {
+    const rung = movingRung(modelChoice.get());
+    const body = { design: work.design, scene: sceneOf(work.loads), rung, c: "computed", beyond: "leave out" } as const;
+    return take(api.POST("/api/predict", { body }));
+  },
   ({ work, input }, answer) => {
     answers.update((now) => ({
       ...now,
@@ -68,6 +76,7 @@ const predictions = new Lane<Question, Prediction>(
       answered: work,
       input,
       totalMs: answer.timings_ms.total ?? null,
+      typical: answer.typical_errors,
       sceneProblem: null,
       instantProblem: null,
       leftOut: answer.left_out,
@@ -131,7 +140,13 @@ function ask(again: boolean): void {
 export function followBench(): void {
   bench.subscribe(() => ask(false));
   reconnections.subscribe(() => ask(true));
+  modelChoice.subscribe(() => ask(true));
   ask(false);
+}
+
+/** True while an instant answer or a drawing is on its way. */
+export function isAsking(): boolean {
+  return predictions.pending || checks.pending;
 }
 
 /** True when the plotted answer is not the answer to what is on the bench. */

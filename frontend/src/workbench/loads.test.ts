@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { firstCylinder, firstPlate, pressureLoads, readLoads, sameButEnd, sameLoads, sceneOf, type Loads } from "./loads";
+import { choosing, firstCylinder, firstPlate, pressureLoads, readLoads, sameButEnd, sameLoads, sceneOf, type Loads } from "./loads";
 
 const everything: Loads = {
   ...pressureLoads(12),
@@ -9,10 +9,19 @@ const everything: Loads = {
   tipForce: [0, 0, 0.05],
   plate: firstPlate(),
   cylinder: firstCylinder(89),
-  selfContact: "off",
+  forced: { self_contact: "off", gravity: "on" },
 };
 
 describe("the loads of a scene", () => {
+  it("say which effects are chosen by hand, whatever their order", () => {
+    const chosen = { ...pressureLoads(12), forced: choosing({ gravity: "off" }, "self_contact", "on") };
+    expect(sceneOf(chosen).effects).toEqual({ gravity: "off", self_contact: "on" });
+    expect(sameLoads(chosen, { ...chosen, forced: { self_contact: "on", gravity: "off" } })).toBe(true);
+    expect(sameLoads(chosen, pressureLoads(12))).toBe(false);
+    expect(choosing(chosen.forced, "gravity", "auto")).toEqual({ self_contact: "on" });
+    expect(readLoads({ pressure_kPa: { to: 12 }, effects: { gravity: "auto" } }).forced).toEqual({});
+  });
+
   it("come back from their document", () => {
     expect(readLoads(sceneOf(everything))).toEqual(everything);
     const volume: Loads = { ...everything, control: "volume", pressureTo: 30, volumeTo: 40 };

@@ -5,7 +5,11 @@ export type Triple = readonly [number, number, number];
 /** What ends the path: a pressure [kPa] or the cavity's volume [ml]. */
 export type Control = "pressure" | "volume";
 
-export type SelfContact = "auto" | "on" | "off";
+/** How an effect is chosen: left to the studio, or by hand. */
+export type Choice = "auto" | "on" | "off";
+
+/** Effects chosen by hand, by the names of the API; all others are decided by the studio. */
+export type Forced = Readonly<Record<string, "on" | "off">>;
 
 /** Rigid plate: `gap` [mm] from the undeformed body, `normal` from the plate to the actuator. */
 export interface Plate {
@@ -34,7 +38,7 @@ export interface Loads {
   readonly tipForce: Triple | null;
   readonly plate: Plate | null;
   readonly cylinder: Cylinder | null;
-  readonly selfContact: SelfContact;
+  readonly forced: Forced;
 }
 
 export const STANDARD_GRAVITY: Triple = [0, 0, -9.81];
@@ -52,7 +56,7 @@ export function pressureLoads(pressureTo: number): Loads {
     tipForce: null,
     plate: null,
     cylinder: null,
-    selfContact: "auto",
+    forced: {},
   };
 }
 
@@ -65,7 +69,7 @@ export interface SceneDocument {
 const STEPS = 20;
 
 export function sceneOf(loads: Loads, steps: number | "auto" = STEPS): SceneDocument {
-  const { outsidePressure, tipForce, plate, cylinder, selfContact } = loads;
+  const { outsidePressure, tipForce, plate, cylinder, forced } = loads;
   return {
     ...(loads.control === "volume"
       ? { volume_ml: { to: loads.volumeTo ?? FALLBACK_VOLUME, steps } }
@@ -77,7 +81,7 @@ export function sceneOf(loads: Loads, steps: number | "auto" = STEPS): SceneDocu
     ...(cylinder === null
       ? {}
       : { cylinder: { radius_mm: cylinder.radius, centre_mm: cylinder.centre, axis: cylinder.axis } }),
-    ...(selfContact === "auto" ? {} : { effects: { self_contact: selfContact } }),
+    ...(Object.keys(forced).length === 0 ? {} : { effects: forced }),
   };
 }
 
@@ -106,7 +110,6 @@ export function readLoads(scene: Entry): Loads {
   const gap = asNumber(plate.gap_mm);
   const radius = asNumber(cylinder.radius_mm);
   const centre = asTriple(cylinder.centre_mm);
-  const contact = asEntry(scene.effects).self_contact;
   return {
     control: volume === null ? "pressure" : "volume",
     pressureTo: pressure ?? FALLBACK_PRESSURE,
@@ -116,8 +119,19 @@ export function readLoads(scene: Entry): Loads {
     tipForce: asTriple(scene.tip_force_N),
     plate: gap === null ? null : { gap, normal: asTriple(plate.normal) ?? [0, 0, 1] },
     cylinder: radius === null || centre === null ? null : { radius, centre, axis: asTriple(cylinder.axis) ?? [0, 1, 0] },
-    selfContact: contact === "on" || contact === "off" ? contact : "auto",
+    forced: forcedIn(asEntry(scene.effects)),
   };
+}
+
+function forcedIn(effects: Entry): Forced {
+  const chosen = Object.entries(effects).filter((entry): entry is [string, "on" | "off"] => entry[1] === "on" || entry[1] === "off");
+  return Object.fromEntries(chosen);
+}
+
+/** The loads with one effect chosen otherwise. */
+export function choosing(forced: Forced, name: string, choice: Choice): Forced {
+  const others = Object.entries(forced).filter(([other]) => other !== name);
+  return Object.fromEntries(choice === "auto" ? others : [...others, [name, choice]]);
 }
 
 /** Whether two loads are one question. A direction is one whatever its length. */
@@ -126,9 +140,10 @@ export function sameLoads(a: Loads, b: Loads): boolean {
 }
 
 function canonical(loads: Loads): SceneDocument {
-  const { plate, cylinder, tipForce, outsidePressure } = loads;
+  const { plate, cylinder, tipForce, outsidePressure, forced } = loads;
   return sceneOf({
     ...loads,
+    forced: Object.fromEntries(Object.entries(forced).sort(([a], [b]) => (a < b ? -1 : 1))),
     outsidePressure: outsidePressure === 0 ? null : outsidePressure,
     tipForce: tipForce?.some((part) => part !== 0) ? tipForce : null,
     plate: plate && { ...plate, normal: direction(plate.normal) },

@@ -32,6 +32,13 @@ describe("slots", () => {
     expect(readSlot("v1")).toBeNull();
   });
 
+  it("bring over the one effect that an earlier page let choose", () => {
+    const earlier = { ...work, loads: { ...work.loads, forced: undefined, selfContact: "off" } };
+    const snapshot = { work: earlier, baseline: work, origin: opened.present.origin };
+    localStorage.setItem("pneustudio.work.2:v1", JSON.stringify({ present: snapshot, past: [], future: [], gesture: null }));
+    expect(readSlot("v1")?.present.work.loads).toEqual({ ...pressureLoads(40), forced: { self_contact: "off" } });
+  });
+
   it("bring over what an earlier page kept: a pressure, and gravity or none", () => {
     const earlier = { name: "Finger", design: { family: "slab" }, pressureTo: 12, gravity: false };
     const snapshot = { work: earlier, baseline: { ...earlier, gravity: true }, origin: opened.present.origin };

@@ -1,6 +1,6 @@
 /** Unsaved work in the browser's storage, one slot for each address, so that no reload loses it. */
 import type { Work } from "./document";
-import { pressureLoads } from "./loads";
+import { pressureLoads, type Loads } from "./loads";
 import type { Snapshot, Timeline } from "./timeline";
 
 const PREFIX = "pneustudio.work.2:";
@@ -37,11 +37,18 @@ interface EarlierWork {
 
 function upToDate(work: Work & EarlierWork): Work {
   if (typeof work.design !== "object") throw new TypeError("no design");
-  if (typeof work.loads === "object") return work;
+  if (typeof work.loads === "object") return { ...work, loads: withChoices(work.loads) };
   const { pressureTo, gravity, ...rest } = work;
   if (typeof pressureTo !== "number") throw new TypeError("no loads");
   const loads = pressureLoads(pressureTo);
   return { ...rest, loads: gravity === false ? { ...loads, gravity: null } : loads };
+}
+
+/** Loads as earlier pages kept them knew one effect to be chosen. */
+function withChoices(loads: Loads & { selfContact?: unknown }): Loads {
+  const { selfContact, ...rest } = loads;
+  if (typeof rest.forced === "object") return rest;
+  return { ...rest, forced: selfContact === "on" || selfContact === "off" ? { self_contact: selfContact } : {} };
 }
 
 function snapshot({ work, baseline, origin }: Snapshot): Snapshot {

@@ -1,0 +1,174 @@
+import { useState, type KeyboardEvent } from "react";
+
+import { usePick } from "../api/store";
+import type { Ladder, LadderPoint } from "../api/types";
+import { useSize } from "../ui/useSize";
+import { refined } from "../workbench/refined";
+import { placeNames, type Placed } from "./labels";
+import { PointCard } from "./PointCard";
+import { about, actionOf, alsoAnswers, isEarly, placeOf, plotted, rungName, shortName } from "./points";
+import { decades, logScale, marks, shortPercent, shortSeconds, type LogScale } from "./scale";
+import { takeRung } from "./take";
+
+const SPACE = { left: 46, right: 12, top: 8, bottom: 20 };
+/** Errors and times below these are not told apart. */
+const LEAST_ERROR = 0.01;
+const LEAST_SECONDS = 1e-3;
+const LETTER = 5.6;
+
+interface Drawn {
+  point: LadderPoint;
+  x: number;
+  y: number;
+  name: Placed;
+}
+
+interface Picture {
+  across: LogScale;
+  up: LogScale;
+  drawn: Drawn[];
+}
+
+function pictureOf(ladder: Ladder, width: number, height: number): Picture {
+  const points = plotted(ladder);
+  const seconds = points.flatMap(({ seconds: range }) => (range ? [range.value, range.high] : []));
+  const errors = points.flatMap(({ error_percent: range }) => (range ? [range.value] : []));
+  const across = logScale(decades(seconds, LEAST_SECONDS), SPACE.left, width - SPACE.right);
+  const up = logScale(decades(errors, LEAST_ERROR), height - SPACE.bottom - 6, SPACE.top);
+  const at = points.map((point) => {
+    const place = placeOf(point) ?? { seconds: LEAST_SECONDS, error: LEAST_ERROR };
+    return { x: across.place(place.seconds), y: up.place(place.error), width: LETTER * shortName(point).length };
+  });
+  const area = { x: SPACE.left, y: 0, width: width - SPACE.left - 2, height };
+  const names = placeNames(at, area);
+  const drawn = points.map((point, index) => ({
+    point,
+    x: at[index]?.x ?? 0,
+    y: at[index]?.y ?? 0,
+    name: names[index] ?? { x: 0, y: 0, anchor: "start" as const },
+  }));
+  return { across, up, drawn };
+}
+
+interface LadderChartProps {
+  ladder: Ladder;
+  stale: boolean;
+  /** Label of the rung whose curve is drawn. */
+  drawnRung: string | null;
+  /** Labels of the rungs chosen by the limits. */
+  picks: readonly string[];
+}
+
+/** Error over seconds, both logarithmic: filled points have run, hollow ones are predicted. */
+export function LadderChart({ ladder, stale, drawnRung, picks }: LadderChartProps) {
+  const [ref, { width, height }] = useSize();
+  const [open, setOpen] = useState<string | null>(null);
+  const ready = width > 80 && height > 60;
+  const picture = ready ? pictureOf(ladder, width, height) : null;
+  const shown = picture?.drawn.find(({ point }) => point.label === open);
+  return (
+    <div className={`ladder-chart${stale ? " stale" : ""}`} ref={ref} data-testid="ladder-chart">
+      {picture && (
+        <svg width={width} height={height} role="group" aria-label="Error against seconds of every model">
+          <Axes across={picture.across} up={picture.up} width={width} height={height} />
+          {picture.drawn.map((each) => (
+            <Point
+              key={each.point.label}
+              {...each}
+              {...picture}
+              also={alsoAnswers(ladder, each.point)}
+              isDrawn={each.point.label === drawnRung}
+              isPicked={picks.includes(each.point.label)}
+              onOpen={setOpen}
+            />
+          ))}
+        </svg>
+      )}
+      {shown && <PointCard point={shown.point} also={alsoAnswers(ladder, shown.point)} at={shown} width={width} height={height} />}
+    </div>
+  );
+}
+
+function Axes({ across, up, width, height }: { across: LogScale; up: LogScale; width: number; height: number }) {
+  const right = width - SPACE.right;
+  const floor = height - SPACE.bottom;
+  return (
+    <g className="ladder-axes" aria-hidden="true">
+      {marks(across, Math.max(2, Math.floor((right - SPACE.left) / 46))).map((value, index, all) => (
+        <g key={value}>
+          <line x1={across.place(value)} x2={across.place(value)} y1={SPACE.top} y2={floor} />
+          <text x={across.place(value)} y={height - 5} textAnchor={index === all.length - 1 ? "end" : "middle"}>
+            {value < 1 ? shortSeconds(value) : `${value} s`}
+          </text>
+        </g>
+      ))}
+      {marks(up, Math.max(2, Math.floor((floor - SPACE.top) / 20))).map((value) => (
+        <g key={value}>
+          <line x1={SPACE.left} x2={right} y1={up.place(value)} y2={up.place(value)} />
+          <text x={SPACE.left - 5} y={up.place(value)} dy="0.32em" textAnchor="end">
+            {value < 0.01 ? String(value) : shortPercent(value)}
+          </text>
+        </g>
+      ))}
+    </g>
+  );
+}
+
+interface PointProps extends Drawn {
+  across: LogScale;
+  up: LogScale;
+  also: readonly string[];
+  isDrawn: boolean;
+  isPicked: boolean;
+  onOpen: (label: string | null) => void;
+}
+
+function Point({ point, x, y, name, across, up, also, isDrawn, isPicked, onOpen }: PointProps) {
+  const computing = usePick(refined, (now) => now.asking) && point.rung === "cell-rod";
+  const busy = computing || point.job_id !== null;
+  const classes = ["ladder-point", point.rung, point.state, busy && "busy", isDrawn && "drawn", isEarly(point) && "early"];
+  const activate = () => void takeRung(point);
+  const label = `${rungName(point)}, ${point.state}. ${about(point, also).join(" ")} ${actionOf(point)}.`;
+  return (
+    <g
+      className={classes.filter(Boolean).join(" ")}
+      role="button"
+      tabIndex={0}
+      aria-label={label}
+      data-testid={`ladder-${point.label.replaceAll(" ", "").replace("%", "")}`}
+      data-state={point.state}
+      data-picked={isPicked}
+      onPointerEnter={() => onOpen(point.label)}
+      onPointerLeave={() => onOpen(null)}
+      onFocus={() => onOpen(point.label)}
+      onBlur={() => onOpen(null)}
+      onClick={activate}
+      onKeyDown={(event: KeyboardEvent) => {
+        if (event.key !== "Enter" && event.key !== " ") return;
+        // Space plays the pressure elsewhere on the page.
+        event.preventDefault();
+        event.stopPropagation();
+        activate();
+      }}
+    >
+      <Bands point={point} x={x} y={y} across={across} up={up} />
+      {isPicked && <circle className="pick" cx={x} cy={y} r={9} />}
+      <circle className="hit" cx={x} cy={y} r={10} />
+      <circle className="dot" cx={x} cy={y} r={isDrawn ? 5.5 : 4.5} />
+      <text x={name.x} y={name.y} dy="0.32em" textAnchor={name.anchor}>
+        {shortName(point)}
+      </text>
+    </g>
+  );
+}
+
+/** The error's band upright, the seconds expected across. */
+function Bands({ point, x, y, across, up }: { point: LadderPoint; x: number; y: number; across: LogScale; up: LogScale }) {
+  const { error_percent: error, seconds, state } = point;
+  return (
+    <>
+      {error && error.high > error.low && <line className="band" x1={x} x2={x} y1={up.place(error.low)} y2={up.place(error.high)} />}
+      {state === "predicted" && seconds && <line className="span" x1={across.place(seconds.low)} x2={across.place(seconds.high)} y1={y} y2={y} />}
+    </>
+  );
+}

@@ -1,0 +1,84 @@
+import { useStore } from "../api/store";
+import type { Ladder, LadderPoint } from "../api/types";
+import { Button } from "../ui/Button";
+import { NumberField } from "../ui/NumberField";
+import { sentence } from "../ui/numbers";
+import { useHindrance } from "../workbench/hindrance";
+import { limits, withLimit, type Limits } from "./limits";
+import { inWords, shortName } from "./points";
+import { shortPercent, shortSeconds } from "./scale";
+import { takeRung } from "./take";
+
+/** The cheapest rung within an error, and the most accurate one within a time. */
+export function Picks({ ladder, stale }: { ladder: Ladder; stale: boolean }) {
+  const now = useStore(limits);
+  const [within, quick] = ladder.choices;
+  const row = (name: keyof Limits, unit: string, label: string, choice: typeof within) => (
+    <Pick
+      name={name}
+      unit={unit}
+      label={label}
+      value={now[name]}
+      why={choice?.why ?? ""}
+      point={ladder.points.find((point) => point.label === choice?.rung) ?? null}
+      stale={stale}
+    />
+  );
+  return (
+    <div className="picks">
+      {row("percent", "%", "Largest error", within)}
+      {row("seconds", "s", "Longest time", quick)}
+    </div>
+  );
+}
+
+interface PickProps {
+  name: keyof Limits;
+  unit: string;
+  label: string;
+  value: number;
+  why: string;
+  point: LadderPoint | null;
+  stale: boolean;
+}
+
+function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
+  const hindered = useHindrance();
+  const words = sentence(inWords(why));
+  const queued = point?.rung === "fe" && point.state !== "measured" && point.same_as === null;
+  return (
+    <div className="pick-row" data-testid={`pick-${name}`} data-rung={point?.label ?? ""}>
+      <span>At most</span>
+      <NumberField value={value} step={1} unit={unit} label={label} onCommit={(next) => limits.update((all) => withLimit(all, name, next))} testId={`limit-${name}`} />
+      <span className={`pick-rung${stale ? " faded" : ""}`} title={words}>
+        {point ? (
+          <>
+            <strong>{shortName(point)}</strong> <span className="muted">{name === "percent" ? timeOf(point) : errorOf(point)}</span>
+          </>
+        ) : (
+          <span className="muted">no rung: hover to read why</span>
+        )}
+      </span>
+      <Button
+        look="plain"
+        icon={queued ? "play" : "eye"}
+        disabled={point === null || point.job_id !== null || (point.rung === "fe" && hindered !== null)}
+        title={point === null ? words : (hindered ?? words)}
+        data-testid={`take-${name}`}
+        onClick={() => {
+          if (point) void takeRung(point);
+        }}
+      >
+        {point?.job_id != null ? "Running" : queued ? "Run" : "Show"}
+      </Button>
+    </div>
+  );
+}
+
+function timeOf({ state, same_as: same, seconds }: LadderPoint): string {
+  return state === "predicted" && same === null && seconds ? `about ${shortSeconds(seconds.value)}` : "answered";
+}
+
+function errorOf({ error_percent: error }: LadderPoint): string {
+  return error ? `up to ${shortPercent(error.high)}` : "";
+}

@@ -1,0 +1,29 @@
+import type { LadderPoint } from "../api/types";
+import { about, actionOf, rungName } from "./points";
+
+const WIDTH = 252;
+
+interface PointCardProps {
+  point: LadderPoint;
+  also: readonly string[];
+  /** Where its point stands in the chart [px]. */
+  at: { x: number; y: number };
+  width: number;
+  height: number;
+}
+
+/** What a point means, above it; the point's own label says the same to a screen reader. */
+export function PointCard({ point, also, at, width, height }: PointCardProps) {
+  const left = Math.max(4, Math.min(at.x - WIDTH / 2, width - WIDTH - 4));
+  return (
+    <div className="point-card" style={{ left, bottom: height - at.y + 14, width: WIDTH }} aria-hidden="true" data-testid="ladder-card">
+      <p className="point-title">
+        {rungName(point)} <span className="muted">{point.state}</span>
+      </p>
+      {about(point, also).map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+      {actionOf(point) && <p className="muted">{actionOf(point)}.</p>}
+    </div>
+  );
+}

@@ -1,0 +1,37 @@
+import { describe, expect, it } from "vitest";
+
+import { placeNames, type Placed } from "./labels";
+
+const area = { x: 0, y: 0, width: 300, height: 150 };
+const WIDTH = 40;
+
+function box({ x, y, anchor }: Placed) {
+  const left = anchor === "start" ? x : anchor === "end" ? x - WIDTH : x - WIDTH / 2;
+  return { left, right: left + WIDTH, top: y - 6, bottom: y + 6 };
+}
+
+function cover(a: Placed, b: Placed): boolean {
+  const [p, q] = [box(a), box(b)];
+  return p.left < q.right && q.left < p.right && p.top < q.bottom && q.top < p.bottom;
+}
+
+describe("names of points", () => {
+  it("stand to the right where there is room", () => {
+    expect(placeNames([{ x: 100, y: 70, width: WIDTH }], area)[0]).toEqual({ x: 108, y: 70, anchor: "start" });
+  });
+
+  it("stay inside the plot", () => {
+    const [placed] = placeNames([{ x: 290, y: 70, width: WIDTH }], area);
+    expect(placed?.anchor).toBe("end");
+  });
+
+  it("cover neither each other nor the other points", () => {
+    const points = [
+      { x: 100, y: 70, width: WIDTH },
+      { x: 118, y: 72, width: WIDTH },
+      { x: 122, y: 88, width: WIDTH },
+    ];
+    const placed = placeNames(points, area);
+    for (const one of placed) for (const other of placed) if (one !== other) expect(cover(one, other)).toBe(false);
+  });
+});

@@ -1,0 +1,59 @@
+import { describe, expect, it } from "vitest";
+
+import type { Ladder, LadderPoint } from "../api/types";
+import { about, actionOf, listed, plotted, rungName } from "./points";
+
+const range = (value: number, low = value, high = value) => ({ value, low, high });
+
+function point(change: Partial<LadderPoint>): LadderPoint {
+  return {
+    rung: "fe", accuracy_percent: 5, mesh: null, label: "fe 5 %", state: "predicted", seconds: range(12, 6, 25),
+    error_percent: range(5, 0, 5), error_kind: "asked for", error_source: null, apart_percent: null, compared_at_kPa: null,
+    is_best: false, outcome: null, advice: null, reason: null, same_as: null, tip_displacement_mm: null, ends_at_kPa: null,
+    leaves_out: [], is_older: false, job_id: null, ...change,
+  };
+}
+
+const energy = point({
+  rung: "energy", label: "energy", accuracy_percent: null, state: "measured", outcome: "converged", seconds: range(0.01),
+  error_percent: range(8, 6, 10), error_kind: "against best", error_source: "fe 10 %", compared_at_kPa: 12, leaves_out: ["contact"],
+});
+const refused = point({ rung: "closed-form", label: "closed-form", state: "refused", seconds: null, error_percent: null, error_kind: null, reason: "plate is 5 mm away" });
+const best = point({ label: "fe 10 %", accuracy_percent: 10, state: "measured", outcome: "converged", is_best: true, error_kind: "own estimate" });
+const repeated = point({ same_as: "fe 10 %" });
+const ladder: Ladder = {
+  design: {}, scene: {}, points: [refused, energy, best, repeated], best: "fe 10 %", expected_strain_percent: 30,
+  learned_from_jobs: 0, choices: [],
+};
+
+describe("points of the ladder", () => {
+  it("are drawn where both numbers are known, once for each answer", () => {
+    expect(plotted(ladder).map((each) => each.label)).toEqual(["energy", "fe 10 %"]);
+    expect(listed(ladder).map((each) => each.label)).toEqual(["closed-form"]);
+  });
+
+  it("say time, error with its band, and what is left out", () => {
+    const words = about(energy, []).join(" ");
+    expect(words).toContain("8 % from the best answer so far (FE 10 %) at 12 kPa");
+    expect(words).toContain("at most 10 %");
+    expect(words).toContain("10 ms, measured");
+    expect(words).toContain("Leaves out: contact.");
+    expect(about(point({}), []).join(" ")).toContain("about 12 s, four of five jobs between 6 s and 25 s");
+  });
+
+  it("say why one is refused, and name a failed job as one to be run again", () => {
+    expect(about(refused, [])).toEqual(["Plate is 5 mm away."]);
+    expect(actionOf(refused)).toBe("");
+    expect(actionOf(point({ state: "refused", reason: "no equilibrium" }))).toBe("Click to run it again");
+    expect(actionOf(point({ job_id: "j" }))).toBe("Is being computed");
+  });
+
+  it("say that an answer ended early, and how to go on", () => {
+    const stalled = point({ state: "measured", outcome: "stalled", advice: "Take a coarser mesh." });
+    expect(about(stalled, []).join(" ")).toContain("Stopped early: no equilibrium was found beyond the last point. Take a coarser mesh.");
+  });
+
+  it("have names for people", () => {
+    expect([energy, best, point({ rung: "cell-rod", label: "cell-rod" })].map(rungName)).toEqual(["Energy", "3D FE 10 %", "Cell + rod"]);
+  });
+});
