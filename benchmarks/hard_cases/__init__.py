@@ -1,0 +1,1 @@
+"""The page of the hard cases: run, stored, pictured, written."""
