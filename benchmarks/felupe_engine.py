@@ -11,21 +11,31 @@ import numpy as np
 
 from actuators.export.vtu import NODE_ORDER
 from actuators.materials import Material
+from actuators.mechanics.continuum.contact import ContactLaw, outside
+from actuators.mechanics.obstacles import Plate
 from actuators.meshing import HexMesh
 
 
 class FelupeProblem:
     """Three fields (displacement, pressure, volume ratio), follower pressure, weight; MKL Pardiso
-    solves, as it does for us."""
+    solves, as it does for us. A ``plate`` stops nodes, each with the stiffness of our law times its
+    mean share of the area."""
 
     def __init__(
-        self, mesh: HexMesh, materials: Sequence[Material], gravity: tuple[float, float, float]
+        self,
+        mesh: HexMesh,
+        materials: Sequence[Material],
+        gravity: tuple[float, float, float],
+        plate: tuple[Plate, ContactLaw] | None = None,
     ) -> None:
         import felupe as fe
 
         self._fe, self._mesh, self._materials = fe, mesh, materials
         cells = mesh.elements[:, NODE_ORDER].astype(int)
-        self.mesh = fe.Mesh(mesh.nodes, cells, "hexahedron27")
+        points = mesh.nodes
+        if plate is not None:
+            points = np.vstack([points, [_on_plate(mesh, plate[0])]])
+        self.mesh = fe.Mesh(points, cells, "hexahedron27")
         region = fe.RegionTriQuadraticHexahedron(self.mesh)
         self.field = fe.FieldsMixed(region, n=3)
         laws = [
@@ -40,13 +50,29 @@ class FelupeProblem:
         self._pressure = fe.SolidBodyPressure(fe.FieldContainer([fe.Field(faces, dim=3)]))
         self._weight = self._weights(density, np.array(gravity))
         held = {
-            "clamp": fe.Boundary(self.field[0], mask=_mask(mesh.clamp_nodes, mesh)),
+            "clamp": fe.Boundary(self.field[0], mask=_mask(mesh.clamp_nodes, self.mesh.npoints)),
             "symmetry": fe.Boundary(
-                self.field[0], mask=_mask(mesh.symmetry_nodes, mesh), skip=(True, False, True)
+                self.field[0],
+                mask=_mask(mesh.symmetry_nodes, self.mesh.npoints),
+                skip=(True, False, True),
             ),
         }
+        self._contact = []
+        if plate is not None:
+            fixed = np.array([len(mesh.nodes)])
+            held["plate"] = fe.Boundary(self.field[0], mask=_mask(fixed, self.mesh.npoints))
+            self._contact = [self._stop(*plate)]
         self._held = fe.dof.partition(self.field, held)
         self._boundaries = held
+
+    def _stop(self, plate: Plate, law: ContactLaw) -> Any:
+        surface = outside(self._mesh)
+        nodes = np.unique(surface.faces)
+        return self._fe.ContactRigidPlane(
+            field=self.field, points=nodes, centerpoint=len(self._mesh.nodes),
+            normal=list(plate.normal),
+            multiplier=law.stiffness * float(surface.areas.sum()) / len(nodes),
+        )  # fmt: skip
 
     def _weights(self, density: np.ndarray, gravity: np.ndarray) -> Any:
         """Weight as dead nodal forces: constant, since it acts per undeformed volume."""
@@ -54,7 +80,7 @@ class FelupeProblem:
         region = self.field.region
         share = np.einsum("aqc,qc,c->ac", np.broadcast_to(
             region.h, (27, *region.dV.shape)), region.dV, density)  # fmt: skip
-        nodal = np.zeros(len(self._mesh.nodes))
+        nodal = np.zeros(self.mesh.npoints)
         np.add.at(nodal, self.mesh.cells.T, share)
         return fe.PointLoad(self.field, np.arange(len(nodal)), values=nodal[:, None] * gravity)
 
@@ -76,7 +102,7 @@ class FelupeProblem:
                     f.values += now - then
             before = here
             result = fe.newtonraphson(
-                x0=self.field, items=[self._solid, self._pressure, self._weight],
+                x0=self.field, items=[self._solid, self._pressure, self._weight, *self._contact],
                 dof0=free[0], dof1=free[1], ext0=fe.dof.apply(
                     self.field, self._boundaries, free[0]), solver=spsolve, tol=tolerance,
                 verbose=False, maxiter=20,
@@ -87,6 +113,14 @@ class FelupeProblem:
     def displacement(self, node: int) -> np.ndarray:
         """Displacement [m] of a mesh node."""
         return self.field[0].values[node].copy()
+
+    def plate_force(self) -> float | None:
+        """Force of this mesh's part on the plate [N]; None without one."""
+        if not self._contact:
+            return None
+        count = 3 * self.mesh.npoints
+        nodal = self._contact[0].results.force.toarray()[:count].reshape(-1, 3)
+        return float(np.linalg.norm(nodal[len(self._mesh.nodes)]))
 
     @property
     def unknowns(self) -> int:
@@ -128,7 +162,13 @@ class _ByRegion:
         return out
 
 
-def _mask(nodes: np.ndarray, mesh: HexMesh) -> np.ndarray:
-    mask = np.zeros(len(mesh.nodes), dtype=bool)
+def _on_plate(mesh: HexMesh, plate: Plate) -> np.ndarray:
+    """A point of the plate [m]."""
+    normal = np.array(plate.normal)
+    return normal * (float((mesh.nodes @ normal).min()) - plate.gap)
+
+
+def _mask(nodes: np.ndarray, count: int) -> np.ndarray:
+    mask = np.zeros(count, dtype=bool)
     mask[nodes] = True
     return mask

@@ -1,6 +1,7 @@
 """NGSolve on a mesh of ours: the same element, law and loads, by an independent code.
 
-For meshes of boxes parallel to the axes, where its mapping and ours agree.
+Its mesh is made of the boxes between our mesh lines; where these are not the body itself, it is
+deformed by the quadratic map that carries our nodes, so that both programs map alike.
 """
 
 from collections.abc import Sequence
@@ -9,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from actuators.materials import Material
+from actuators.mechanics.continuum.contact import ContactLaw
+from actuators.mechanics.obstacles import Plate
 from actuators.meshing import HexMesh
 
 _CORNERS = (0, 2, 8, 6, 18, 20, 26, 24)
@@ -21,8 +24,9 @@ def convert(mesh: HexMesh) -> Any:
 
     out = ng.Mesh(dim=3)
     numbers: dict[int, Any] = {}
+    at = _boxes(mesh)
     for node in np.unique(mesh.elements[:, _CORNERS]):
-        numbers[int(node)] = out.Add(ng.MeshPoint(ng.Pnt(*map(float, mesh.nodes[node]))))
+        numbers[int(node)] = out.Add(ng.MeshPoint(ng.Pnt(*map(float, at[node]))))
     for element, region in zip(mesh.elements, mesh.region, strict=True):
         corners = [numbers[int(n)] for n in element[list(_CORNERS)]]
         out.Add(ng.Element3D(int(region) + 1, corners))
@@ -47,16 +51,78 @@ def convert(mesh: HexMesh) -> Any:
 _NAMES = ("clamp", "symmetry", "cavity", "outer")
 
 
+def _boxes(mesh: HexMesh) -> np.ndarray:
+    """(n, 3) places of the nodes [m] before the map: the body's own where its elements are boxes,
+    else those on the mesh lines, stretched to about the body's size."""
+    size = float(np.ptp(mesh.nodes, axis=0).max())
+    found = mesh.nodes[mesh.elements]
+    low, high = found[:, :1], found[:, 26:]
+    if np.allclose(found, low + (high - low) * _LOCAL, atol=1e-9 * size):
+        return mesh.nodes
+    places = np.empty_like(mesh.nodes)
+    for d, lines in enumerate(mesh.lines):
+        both = np.empty(2 * len(lines) - 1)
+        both[::2], both[1::2] = lines, (lines[1:] + lines[:-1]) / 2
+        places[:, d] = both[mesh.node_index[:, d]] * size / np.ptp(lines)
+    return places
+
+
+_LOCAL = np.array([[n % 3, n // 3 % 3, n // 9] for n in range(27)]) / 2
+
+
+def _deform(mesh: Any, ours: HexMesh) -> Any:
+    """Deformation of NGSolve's mesh of boxes that puts every node of ours in its place."""
+    import ngsolve as ns
+
+    space = ns.VectorH1(mesh, order=2)
+    scalar, start = space.components[0], space.ndof // 3
+    moved = ns.GridFunction(space)
+    away = ours.nodes - _boxes(ours)
+    values = np.zeros((3, start))
+    for element, nodes in zip(mesh.Elements(ns.VOL), ours.elements, strict=True):
+        shapes = scalar.GetFE(ns.ElementId(element))
+        matrix = np.array([np.array(shapes.CalcShape(*point)) for point in _LOCAL.tolist()])
+        dofs = list(scalar.GetDofNrs(ns.ElementId(element)))
+        values[:, dofs] = np.linalg.solve(matrix, away[nodes]).T
+    moved.vec.FV().NumPy()[:] = values.ravel()
+    return moved
+
+
+def contact_energy(gap: Any, law: ContactLaw) -> Any:
+    """Energy of contact per undeformed area [J/m2] at ``gap`` [m], a number or a coefficient: that
+    of equation (29) of the theory."""
+    import ngsolve as ns
+
+    stiffness, onset = law.stiffness, law.onset
+    soft = stiffness * (onset - gap) ** 3 / (12 * onset)
+    hard = stiffness * (gap * gap / 2 + onset**2 / 6)
+    return ns.IfPos(gap - onset, 0.0, ns.IfPos(gap + onset, soft, hard))
+
+
 class NgsolveProblem:
-    """Q2 displacement, linear discontinuous pressure, follower pressure, gravity."""
+    """Q2 displacement, linear discontinuous pressure, follower pressure, gravity, and a rigid plate
+    (``plate`` with its law of contact pressure) on 3 x 3 points of every outer face."""
 
     def __init__(
-        self, mesh: HexMesh, materials: Sequence[Material], gravity: tuple[float, float, float]
+        self,
+        mesh: HexMesh,
+        materials: Sequence[Material],
+        gravity: tuple[float, float, float],
+        plate: tuple[Plate, ContactLaw] | None = None,
     ) -> None:
         import ngsolve as ns
 
         self._ns = ns
+        self._plate = plate
+        self._lowest = float((mesh.nodes @ np.array(plate[0].normal)).min()) if plate else 0.0
         self.mesh = convert(mesh)
+        self._before = ns.GridFunction(ns.VectorH1(self.mesh, order=1))
+        self._before.Set(ns.CF((ns.x, ns.y, ns.z)))
+        if _boxes(mesh) is not mesh.nodes:
+            self._deformation = _deform(self.mesh, mesh)
+            self.mesh.SetDeformation(self._deformation)
+        self._vertices = np.unique(mesh.elements[:, _CORNERS])
+        self._size = float(np.ptp(mesh.nodes, axis=0).max())
         self._names = [region.name for region in mesh.regions]
         displacement = ns.VectorH1(self.mesh, order=2, dirichlet="clamp", dirichlety="symmetry")
         constant = ns.L2(self.mesh, order=0)
@@ -72,11 +138,9 @@ class NgsolveProblem:
         u, *parts = self.space.TrialFunction()
         # pressure 1, x, y, z about each element's centre: the span of our local coordinates
         centre = [ns.GridFunction(constant) for _ in range(3)]
-        for c, coordinate in zip(centre, (ns.x, ns.y, ns.z), strict=True):
-            c.Set(coordinate)
-        local = [
-            1.0, *((x - c) * 1e3 for x, c in zip((ns.x, ns.y, ns.z), centre, strict=True))
-        ]  # fmt: skip
+        for d, c in enumerate(centre):
+            c.Set(self._before[d])
+        local = [1.0, *((self._before[d] - c) * 1e3 for d, c in enumerate(centre))]
         q = sum(n * part for n, part in zip(local, parts, strict=True))
         mu, kappa, density = (
             self.mesh.MaterialCF(
@@ -99,7 +163,22 @@ class NgsolveProblem:
         form = ns.BilinearForm(self.space, symmetric=True)
         form += ns.Variation(energy.Compile() * ns.dx)
         form += ns.Variation((-self.pressure * volume).Compile() * ns.ds("cavity"))
+        if self._plate is not None:
+            nine = {ns.ET.QUAD: ns.IntegrationRule(ns.ET.QUAD, 5)}
+            form += ns.Variation(self._pressed(u).Compile() * ns.ds("outer", intrules=nine))
         return form
+
+    def _gap(self, u: Any) -> Any:
+        """Distance from the plate [m], negative inside."""
+        assert self._plate is not None
+        plate, _ = self._plate
+        at = self._ns.CF((self._ns.x, self._ns.y, self._ns.z)) + u
+        return self._ns.InnerProduct(at, self._ns.CF(plate.normal)) - (self._lowest - plate.gap)
+
+    def _pressed(self, u: Any) -> Any:
+        """Energy of contact with the plate per undeformed area [J/m2]."""
+        assert self._plate is not None
+        return contact_energy(self._gap(u), self._plate[1])
 
     def raise_load(self, pressure: float, steps: int, tolerance: float = 1e-8) -> int:
         """Raise pressure and gravity together; returns the Newton iterations."""
@@ -129,13 +208,26 @@ class NgsolveProblem:
             moved.data = step[: len(moved)]
             if not np.isfinite(moved.FV().NumPy()).all():
                 break
-            if max(abs(moved.FV().NumPy())) < tolerance * 0.08:
+            if max(abs(moved.FV().NumPy())) < tolerance * self._size:
                 return iteration
         raise RuntimeError("NGSolve's Newton iteration did not converge")
 
-    def displacement(self, point: tuple[float, float, float]) -> np.ndarray:
-        """Displacement [m] at an undeformed point."""
-        return np.array(self.solution.components[0](self.mesh(*point)))
+    def displacement(self, node: int) -> np.ndarray:
+        """Displacement [m] of a node of our mesh that is a corner of elements."""
+        values = self.solution.components[0].vec.FV().NumPy().reshape(3, -1)
+        return values[:, np.searchsorted(self._vertices, node)].copy()
+
+    def plate_force(self) -> float | None:
+        """Force of this mesh's part on the plate [N]; None without one."""
+        if self._plate is None:
+            return None
+        ns, law = self._ns, self._plate[1]
+        g = self._gap(self.solution.components[0])
+        soft = law.stiffness * (law.onset - g) ** 2 / (4 * law.onset)
+        hard = -law.stiffness * g
+        pressure = ns.IfPos(g - law.onset, 0, ns.IfPos(g + law.onset, soft, hard))
+        nine = {ns.ET.QUAD: ns.IntegrationRule(ns.ET.QUAD, 5)}
+        return float(ns.Integrate(pressure * ns.ds("outer", intrules=nine), self.mesh))
 
     @property
     def unknowns(self) -> int:

@@ -9,16 +9,17 @@ Imports and compiled kernels are loaded before.
 import json
 import os
 import resource
-import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
+from actuators.mechanics.continuum.contact import ContactLaw, Obstacle, contact_law, outside
+from actuators.mechanics.continuum.contact.build import CONCENTRATED
+from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh, mesh_body
 from benchmarks.mini_pneu_net import GRAVITY
@@ -38,22 +39,35 @@ class Found:
     wall: float
     cpu: float
     note: str = ""
+    force: float | None = None
 
 
 def clock() -> tuple[float, float]:
     return time.perf_counter(), time.process_time()
 
 
+def stop(problem: PeerProblem, mesh: HexMesh) -> tuple[Plate, ContactLaw] | None:
+    """The plate, and how hard all programs press on it: as hard as ours takes a scene's plate."""
+    if problem.plate is None:
+        return None
+    return problem.plate, contact_law(mesh, problem.materials, CONCENTRATED * problem.pressure)
+
+
 def ours(problem: PeerProblem, layers: Layers) -> Found:
     """The path on the coarsest mesh, then one nested solve on the mesh in question."""
     from actuators.mechanics.continuum import warm
+    from actuators.mechanics.continuum.contact.report import obstacle_force
     from actuators.mechanics.continuum.path import PathFollower
     from actuators.mechanics.continuum.refinement import Anchor, Refinement
     from actuators.mechanics.continuum.system import ContinuumSystem, clamped
     from actuators.mechanics.direct_solver import SymmetricSolver, open_solver
 
     def system_on(mesh: HexMesh) -> tuple[ContinuumSystem, SymmetricSolver]:
-        system = ContinuumSystem(mesh, problem.materials, free=clamped(mesh), gravity=GRAVITY)
+        plate = stop(problem, mesh)
+        obstacles = [] if plate is None else [Obstacle(outside(mesh), plate[1], plate[0])]
+        system = ContinuumSystem(
+            mesh, problem.materials, free=clamped(mesh), gravity=GRAVITY, interactions=obstacles
+        )
         return system, open_solver(system.indptr, system.indices)
 
     warm.exercise()
@@ -72,7 +86,8 @@ def ours(problem: PeerProblem, layers: Layers) -> Found:
         end, iterations = anchor.found, iterations + transfer.iterations
     done = clock()
     tip = end.state.displacement[system.mesh.underside_line[-1]]
-    return Found(tip, system.unknowns, iterations, done[0] - wall, done[1] - cpu)
+    force = obstacle_force(system, end)
+    return Found(tip, system.unknowns, iterations, done[0] - wall, done[1] - cpu, force=force)
 
 
 def ngsolve(problem: PeerProblem, layers: Layers) -> Found:
@@ -80,14 +95,10 @@ def ngsolve(problem: PeerProblem, layers: Layers) -> Found:
     from benchmarks.ngsolve_engine import NgsolveProblem
 
     mesh = mesh_body(problem.half(), layers=layers)
-    tip = tuple(float(x) for x in mesh.nodes[mesh.underside_line[-1]])
-
-    def attempt(steps: int) -> tuple[np.ndarray, int, int]:
-        other = NgsolveProblem(mesh, problem.materials, GRAVITY)
-        iterations = other.raise_load(problem.pressure, steps, TOLERANCE)
-        return other.displacement((tip[0], tip[1], tip[2])), other.unknowns, iterations
-
-    return first_that_works(attempt)
+    return first_that_works(
+        lambda: NgsolveProblem(mesh, problem.materials, GRAVITY, stop(problem, mesh)),
+        problem.pressure, int(mesh.underside_line[-1]),
+    )  # fmt: skip
 
 
 def felupe(problem: PeerProblem, layers: Layers) -> Found:
@@ -95,53 +106,56 @@ def felupe(problem: PeerProblem, layers: Layers) -> Found:
     from benchmarks.felupe_engine import FelupeProblem
 
     mesh = mesh_body(problem.half(), layers=layers)
-
-    def attempt(steps: int) -> tuple[np.ndarray, int, int]:
-        other = FelupeProblem(mesh, problem.materials, GRAVITY)
-        iterations = other.raise_load(problem.pressure, steps, TOLERANCE)
-        return other.displacement(int(mesh.underside_line[-1])), other.unknowns, iterations
-
-    return first_that_works(attempt)
+    return first_that_works(
+        lambda: FelupeProblem(mesh, problem.materials, GRAVITY, stop(problem, mesh)),
+        problem.pressure, int(mesh.underside_line[-1]),
+    )  # fmt: skip
 
 
-def first_that_works(attempt: Callable[[int], tuple[np.ndarray, int, int]]) -> Found:
+class Stepped(Protocol):
+    """A program that raises the load in equal steps of plain Newton."""
+
+    @property
+    def unknowns(self) -> int: ...
+
+    def raise_load(self, pressure: float, steps: int, tolerance: float) -> int: ...
+
+    def displacement(self, node: int) -> np.ndarray: ...
+
+    def plate_force(self) -> float | None: ...
+
+
+def first_that_works(make: Callable[[], Stepped], pressure: float, tip: int) -> Found:
     for steps in STEPS:
         wall, cpu = clock()
+        other = make()
         try:
-            tip, unknowns, iterations = attempt(steps)
+            iterations = other.raise_load(pressure, steps, TOLERANCE)
         except (RuntimeError, ValueError) as error:
             print(f"{steps} steps: {error}", file=sys.stderr)
             continue
         done = clock()
-        if np.isfinite(tip).all():
-            return Found(tip, unknowns, iterations, done[0] - wall, done[1] - cpu, f"{steps} steps")
+        moved = other.displacement(tip)
+        if np.isfinite(moved).all():
+            return Found(
+                moved, other.unknowns, iterations, done[0] - wall, done[1] - cpu, f"{steps} steps",
+                other.plate_force(),
+            )  # fmt: skip
     raise RuntimeError("no number of steps worked")
 
 
 def calculix(problem: PeerProblem, layers: Layers) -> Found:
     """The exported deck with C3D20R, its own automatic steps; reading the deck is timed too."""
-    from actuators.export.inp import ELEMENTS, deck
+    from benchmarks.calculix_engine import run_calculix
 
     mesh = mesh_body(problem.half(), layers=layers)
-    text = deck(mesh, problem.materials, Scene(problem.pressure))
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "model.inp").write_text(text)
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        wall = time.perf_counter()
-        done = subprocess.run(["ccx", "model"], cwd=folder, capture_output=True, check=False)
-        wall = time.perf_counter() - wall
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        rows = Path(folder, "model.dat").read_text().split("\n")
-        status = Path(folder, "model.sta").read_text().split("\n")
-    if done.returncode != 0 or b"Job finished" not in done.stdout:
-        raise RuntimeError("CalculiX gave up")
-    last = [row.split() for row in rows if row.strip()][-1]
-    iterations = sum(int(row.split()[3]) for row in status[2:] if row.strip())
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    kept = np.unique(mesh.elements[:, ELEMENTS["C3D20R"]])
-    held = 3 * np.isin(mesh.clamp_nodes, kept).sum() + np.isin(mesh.symmetry_nodes, kept).sum()
-    tip = np.array([float(x) for x in last[1:4]]) * 1e-3
-    return Found(tip, 3 * len(kept) - int(held), iterations, wall, cpu, "own steps")
+    found = run_calculix(
+        mesh, problem.materials, Scene(problem.pressure, gravity=GRAVITY, self_contact="off"),
+        plate=stop(problem, mesh),
+    )  # fmt: skip
+    return Found(
+        found.tip, found.unknowns, found.iterations, found.wall, found.cpu, "own steps", found.force
+    )
 
 
 ENGINES: dict[str, Callable[[PeerProblem, Layers], Found]] = {
@@ -162,7 +176,8 @@ def main() -> None:
         "engine": engine, "problem": name, "layers": chosen, "elements": elements,
         "unknowns": found.unknowns, "iterations": found.iterations, "wall_s": found.wall,
         "cpu_s": found.cpu, "peak_MB": peak / 1024, "tip_mm": (found.tip * 1e3).tolist(),
-        "note": found.note, "threads": os.environ.get("OMP_NUM_THREADS", "all"),
+        "plate_N": None if found.force is None else 2 * found.force, "note": found.note,
+        "threads": os.environ.get("OMP_NUM_THREADS", "all"),
     }))  # fmt: skip
 
 

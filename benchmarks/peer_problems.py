@@ -1,5 +1,6 @@
-"""Three problems that every engine of the comparison can carry: neo-Hookean rubber, boxes parallel
-to the axes, follower pressure and weight; no contact, which none of the others has as we do."""
+"""Four problems that every engine of the comparison can carry: neo-Hookean rubber under follower
+pressure and weight. One of them presses on a rigid plate, without friction: contact that all four
+programs have."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -7,6 +8,7 @@ from dataclasses import dataclass
 from actuators.design import preset
 from actuators.geometry import Body, build_body
 from actuators.materials import Material, material
+from actuators.mechanics.obstacles import Plate
 from benchmarks.mini_pneu_net import MATERIALS, PRESSURE, mini_pneu_net
 
 Layers = tuple[int, int, int]
@@ -15,7 +17,8 @@ Layers = tuple[int, int, int]
 @dataclass(frozen=True)
 class PeerProblem:
     """``half``: what is computed; ``materials`` one per region; ``pressure`` [Pa]; ``ladder``: the
-    meshes, coarsest first; ``reference``: the mesh of the reference answer."""
+    meshes, coarsest first; ``reference``: the mesh of the reference answer. With a ``plate`` its
+    force counts as well as the tip."""
 
     title: str
     half: Callable[[], Body]
@@ -23,10 +26,19 @@ class PeerProblem:
     pressure: float
     ladder: tuple[Layers, ...]
     reference: Layers
+    plate: Plate | None = None
 
 
 def _slab() -> Body:
     return build_body(preset("slab-rectangle-low").design).half()
+
+
+def _bellows() -> Body:
+    """Three of the bellows of ``bellows-9-1.6``, far enough apart not to meet."""
+    design = preset("bellows-9-1.6").design.changed(
+        chamber_count=3, length=43.7, gap=1.5, material="ninjaflex-linear"
+    )
+    return build_body(design).half()
 
 
 def _printed() -> Body:
@@ -47,6 +59,10 @@ PROBLEMS = {
         "slab-rectangle-low, neo-Hookean, 4 kPa", _slab,
         (material("elastosil-m4601"), material("ecoflex-00-30-neo-hooke")), 4e3,
         _BY_LENGTH, (2, 2, 2),
+    ),
+    "bellows": PeerProblem(
+        "3 bellows on a plate 5 mm below, 120 kPa", _bellows, (_PRINTED, _PRINTED), 120e3,
+        ((0, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 1)), (2, 2, 2), Plate(gap=5e-3),
     ),
     "printed": PeerProblem(
         "printed pneu-net, 4 free-standing chambers, 150 kPa", _printed, (_PRINTED, _PRINTED),

@@ -19,7 +19,7 @@ KEPT_KEYS = (
     "max_contact_pressure_kPa",
 )  # fmt: skip
 KEPT_ABOUT = (
-    "group", "outcome", "error_estimate_percent", "unknowns", "assumptions", "notes",
+    "group", "outcome", "error_estimate_percent", "unknowns", "assumptions", "notes", "code",
 )  # fmt: skip
 
 
@@ -55,12 +55,17 @@ class Answer:
 
 
 def collect(cases: Iterable[Case]) -> dict[str, Any]:
-    """The verification table, computed now, and every answer there is."""
-    answers = [(case, kept(case)) for case in cases]
-    return {
-        "verification": [_short(row.document()) for row in rows()],
-        "cases": {case.key: _trimmed(found) for case, found in answers if found is not None},
-    }
+    """The verification table, computed now, and every answer there is: those kept on this machine,
+    and for the other cases what the file already holds, with the commit that solved it."""
+    before = json.loads(DATA.read_text())["cases"] if DATA.exists() else {}
+    found: dict[str, Any] = {}
+    for case in cases:
+        answer = kept(case)
+        if answer is not None:
+            found[case.key] = _trimmed(answer)
+        elif case.key in before:
+            found[case.key] = before[case.key]
+    return {"verification": [_short(row.document()) for row in rows()], "cases": found}
 
 
 def write(data: dict[str, Any]) -> None:
@@ -78,17 +83,7 @@ def read() -> tuple[list[dict[str, Any]], dict[str, Answer]]:
 
 
 def _trimmed(document: dict[str, Any]) -> dict[str, Any]:
-    short = {
-        key: document.get(key)
-        for key in (
-            "group",
-            "outcome",
-            "error_estimate_percent",
-            "unknowns",
-            "assumptions",
-            "notes",
-        )
-    }
+    short = {key: document.get(key) for key in KEPT_ABOUT}
     short["accuracy"] = document["question"]["accuracy"]
     short["processor_s"] = document["processor_s"]
     short["path"] = [{k: p[k] for k in KEPT_KEYS if p.get(k) is not None} for p in document["path"]]

@@ -60,16 +60,16 @@ def presets_section(answers: Answers) -> str:
 
 
 def _preset_rows(theta: int, found: Answer, line: PathPoint) -> list[list[str]]:
+    """At round pressures, and at the end of the path."""
     rows: list[list[str]] = []
-    for p in (10, 20, 40, 60):
-        if p > found.column("pressure_kPa")[-1] + 1e-6:
-            continue
+    end = float(found.column("pressure_kPa")[-1])
+    for p in (*(p for p in (10.0, 20.0, 30.0, 40.0) if p < end - 0.1), end):
         share = p / 60
         rows.append([
-            f"oblique-{theta}", f"{p}", number(found.at(p, "curvature_per_m")),
+            f"oblique-{theta}", number(p), number(found.at(p, "curvature_per_m")),
             number((line.curvature or 0) * share), number(found.at(p, "torsion_per_m")),
             number((line.torsion or 0) * share), percent(found.error_percent),
-            f"{found.outcome.replace('_', ' ')} at {found.column('pressure_kPa')[-1]:.3g}",
+            found.outcome.replace("_", " ") if p == end else "",
         ])  # fmt: skip
     return rows
 
@@ -116,6 +116,7 @@ def sweep_section(answers: Answers) -> str:
     found_rows += _presets_places(answers)
     numbers = [
         [f"{a}°", *(number(answers[f"theta-{a}"].at(p, k)) for k in cell for p in pressures),
+         number(answers[f"theta-{a}"].at(pressures[-1], "max_contact_pressure_kPa"), 2),
          percent(answers[f"theta-{a}"].error_percent)]
         for a in known
     ]  # fmt: skip
@@ -125,7 +126,7 @@ def sweep_section(answers: Answers) -> str:
         table(["model", "most torsion at", "most torsion over curvature at",
                "bending vanishes at"], found_rows),
         "",
-        table(["theta", *heads, "error estimate (tip)"], numbers),
+        table(["theta", *heads, "walls press, kPa, at 10 kPa", "error estimate (tip)"], numbers),
     ])  # fmt: skip
 
 
@@ -156,12 +157,13 @@ def _places(angles: np.ndarray, torsion: np.ndarray, curvature: np.ndarray) -> l
             curvature[k + 1] - curvature[k]
         )
         return [_peak(angles, torsion), f"{zero:.1f}° (no curvature)", f"{zero:.1f}°"]
-    lowest = f"{angles[0]:.0f}° (the smallest)" if np.argmax(ratio) == 0 else _peak(angles, ratio)
-    return [_peak(angles, torsion), lowest, "nowhere from 15° to 90°"]
+    return [_peak(angles, torsion), _peak(angles, ratio), "nowhere from 15° to 90°"]
 
 
 def _peak(angles: np.ndarray, values: np.ndarray) -> str:
     """Where a parabola through the largest value and its neighbours is level."""
+    if np.argmax(values) == 0:
+        return f"{angles[0]:.0f}° (the smallest)"
     k = int(np.clip(np.argmax(values), 1, len(values) - 2))
     a, b, _ = np.polyfit(angles[k - 1 : k + 2], values[k - 1 : k + 2], 2)
     return f"{-b / (2 * a):.0f}°"

@@ -72,13 +72,15 @@ def _in_short(texts: list[str]) -> str:
 
 
 def costs(answers: Mapping[str, Answer]) -> str:
-    """Processor time by family."""
+    """Processor time by family, and the commits that solved it."""
     groups = sorted({a.document["group"] for a in answers.values()})
     lines: list[list[str]] = []
     for group in groups:
         of = [a.document for a in answers.values() if a.document["group"] == group]
         spent = [d["processor_s"] for d in of]
         sizes = [d["unknowns"] for d in of]
+        versions = sorted({d.get("code") or "before versions were noted" for d in of})
         lines.append([group, str(len(of)), f"{min(sizes):,} to {max(sizes):,}",
-                      f"{min(spent):.0f} to {max(spent):.0f}"])  # fmt: skip
-    return table(["family", "cases", "unknowns", "processor seconds a case"], lines)
+                      f"{min(spent):.0f} to {max(spent):.0f}", ", ".join(versions)])  # fmt: skip
+    heads = ["family", "cases", "unknowns", "processor seconds a case", "version of the code"]
+    return table(heads, lines)

@@ -39,7 +39,7 @@ def printed_section(answers: Mapping[str, Answer]) -> str:
     rows = [
         [f"{p}", *(_ours(ours["linear"], p)), *_pair(PRINTED_LINEAR.get(p)),
          *(_ours(ours["Yeoh"], p)), *_pair(PRINTED_YEOH.get(p)), *_pair(PRINTED_EXPERIMENT.get(p))]
-        for p in (10, 30, 50, 70, 100, 150, 200)
+        for p in (10, 30, 50, 70, 100, 150, 200, 250)
     ]  # fmt: skip
     heads = ["kPa", "ours, linear: dx", "dy", "thesis, linear: dx", "dy", "ours, Yeoh: dx", "dy",
              "thesis, Yeoh: dx", "dy", "experiment: dx", "dy"]  # fmt: skip

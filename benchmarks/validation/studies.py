@@ -31,8 +31,8 @@ def slab_cases() -> list[Case]:
 
 
 def oblique_cases() -> list[Case]:
-    """Six presets, without weight, as the paper's model."""
-    scene = Scene(pressure_to=20e3, steps=2, gravity=None)
+    """Six presets to the paper's 60 kPa, without weight, as its model."""
+    scene = Scene(pressure_to=60e3, steps=6, gravity=None)
     return [Case(f"oblique-{a}", "oblique", preset(f"oblique-{a}").design, scene, 0.3)
             for a in OBLIQUES]  # fmt: skip
 
@@ -53,9 +53,9 @@ def printed_cases() -> list[Case]:
     base = preset("printed-14").design
     return [
         Case("printed-14-linear", "printed", base.changed(material="ninjaflex-linear"),
-             Scene(pressure_to=100e3, steps=10, gravity=None), 0.3),
+             Scene(pressure_to=250e3, steps=25, gravity=None), 0.3),
         Case("printed-14-yeoh", "printed", base.changed(material="ninjaflex-yeoh"),
-             Scene(pressure_to=100e3, steps=10, gravity=None), 0.3),
+             Scene(pressure_to=250e3, steps=25, gravity=None), 0.3),
     ]  # fmt: skip
 
 
