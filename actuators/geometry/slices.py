@@ -121,8 +121,9 @@ def _without(whole: list[Stretch], parts: list[Stretch]) -> list[Stretch]:
     for begin, end in whole:
         at = begin
         for left, right in sorted(parts):
-            if left - at > SMALLEST_DETAIL_MM:
-                kept.append((at, min(left, end)))
+            until = min(left, end)
+            if until - at > SMALLEST_DETAIL_MM:
+                kept.append((at, until))
             at = max(at, right)
         if end - at > SMALLEST_DETAIL_MM:
             kept.append((at, end))

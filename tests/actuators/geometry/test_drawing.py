@@ -4,7 +4,7 @@ import json
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from shapely.geometry import Polygon
 
 from actuators.design import PRESETS, BellowsDesign, Design, SlabDesign, preset
@@ -40,8 +40,16 @@ def test_areas_of_a_slab_planform_are_exact(design: SlabDesign) -> None:
     assert area_of(view, "rubber") == pytest.approx(rubber, abs=slack)
 
 
+NARROW_CHANNEL = BellowsDesign(
+    length=0.01, width=0.0022, total_height=0.00315, chamber_count=1, wall_thickness=0.00085,
+    gap=0.0001, channel_height=0.0003, end_length=0.0037, bottom_thickness=0.0003,
+    material="ninjaflex-ogden-002",
+)  # fmt: skip
+
+
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(designs())
+@example(NARROW_CHANNEL)
 def test_every_design_can_be_drawn_as_compact_json(design: Design) -> None:
     picture = drawing(design)
     text = json.dumps(picture, allow_nan=False, separators=(",", ":"))
