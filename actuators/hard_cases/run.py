@@ -14,6 +14,8 @@ from actuators.hard_cases.asking import ask
 from actuators.hard_cases.case import Case, Variation
 from actuators.hard_cases.question import question
 from actuators.hard_cases.verdict import always, expected
+from actuators.mechanics.cell.cache import forget_cells
+from actuators.mechanics.cell.inflated_cache import forget_paths
 from actuators.mechanics.response import Response
 
 
@@ -98,6 +100,9 @@ def _judged(case: Case, answer: Response, seconds: float) -> Result:
 def _other(case: Case, like: Variation) -> dict[str, Any]:
     if like.threads is not None:
         return _in_another_process(case, like.threads)
+    # cells are kept under rounded positions: a neighbour's would be compared with itself
+    forget_cells()
+    forget_paths()
     return ask(question(case, like), case.budget).to_document()
 
 
