@@ -4,6 +4,9 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
+# what does not wait for another step runs beside it
+MAKEFLAGS += -j2
+
 VENV := .venv
 PY := $(VENV)/bin/python
 STAMPS := $(VENV)/stamps
@@ -41,9 +44,16 @@ $(STAMPS)/page: $(STAMPS)/node-modules openapi.json $(PAGE_SOURCES)
 	@touch $@
 
 KERNEL_SOURCES := $(shell find actuators -name '*.py')
-$(STAMPS)/kernels: $(STAMPS)/python $(KERNEL_SOURCES)
-	@echo "Compiling the rod and the finite-element kernels (once)"
+$(STAMPS)/kernels: $(STAMPS)/rod-kernels $(STAMPS)/element-kernels
+	@touch $@
+
+$(STAMPS)/rod-kernels: $(STAMPS)/python $(KERNEL_SOURCES)
+	@echo "Compiling the rod kernels (once)"
 	$(PY) -m actuators.mechanics.rod.warm
+	@touch $@
+
+$(STAMPS)/element-kernels: $(STAMPS)/python $(KERNEL_SOURCES)
+	@echo "Compiling the finite-element kernels (once)"
 	$(PY) -m actuators.mechanics.continuum.warm
 	@touch $@
 
@@ -51,25 +61,32 @@ $(STAMPS)/kernels: $(STAMPS)/python $(KERNEL_SOURCES)
 chromium:
 	@command -v chromium >/dev/null || ./tools/apt_install.sh chromium
 
+# after chromium: only one apt at a time
 .PHONY: calculix
-calculix:
+calculix: chromium
 	@command -v ccx >/dev/null || ./tools/apt_install.sh calculix-ccx
 
 .PHONY: check
-check: setup  ## lint, types, import rules, page checks
+check: check-python check-page  ## lint, types, import rules, page checks
+
+.PHONY: check-python
+check-python: setup
 	$(VENV)/bin/ruff check .
 	$(VENV)/bin/ruff format --check .
 	$(VENV)/bin/pyright
 	$(VENV)/bin/lint-imports --no-logo
+
+.PHONY: check-page
+check-page: setup
 	cd frontend && PATH="$$(../tools/node_path.sh ../$(VENV)):$$PATH" npm run --silent check
 
 .PHONY: test
 test: setup chromium calculix check  ## set up and run all tests but the slow studies
-	$(VENV)/bin/pytest
+	$(VENV)/bin/pytest -n 2 --dist loadscope
 
 .PHONY: test-all
 test-all: setup chromium calculix check  ## the slow studies too
-	$(VENV)/bin/pytest -m ''
+	$(VENV)/bin/pytest -m '' -n 2 --dist loadscope
 
 .PHONY: lock
 lock: $(STAMPS)/python  ## renew requirements.lock (needs uv)
