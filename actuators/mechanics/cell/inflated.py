@@ -29,8 +29,9 @@ class CellPath:
     cavity per pitch [m3]; ``volume_rate``: (k, 4) its change with the strains at constant pressure
     [m3, m4]; ``compliance``: (k,) its change per pressure along the path [m3/Pa]; ``max_stretch``:
     (k,) largest principal stretch at a Gauss point; ``contact_pressure``: (k,) largest between the
-    walls of neighbouring chambers [Pa], None where none face each other; ``period``: undeformed
-    pitch [m].
+    walls of neighbouring chambers [Pa], None where none face each other or
+    contact was left out; ``touching_from``: pressure at which they meet [Pa], None where they do
+    not; ``period``: undeformed pitch [m].
 
     ``outcome``: ``converged``; ``limit_point``, with ``limit_pressure`` [Pa], where the pressure
     has a maximum (of suction, a minimum) and the last point stands there; ``stalled``, where no
@@ -48,6 +49,7 @@ class CellPath:
     compliance: np.ndarray
     max_stretch: np.ndarray
     contact_pressure: np.ndarray | None = None
+    touching_from: float | None = None
     outcome: Outcome = Outcome.CONVERGED
     limit_pressure: float | None = None
     unknowns: int = 0
@@ -62,14 +64,15 @@ def inflate_cell(
     *,
     pressure_to: float,
     mesh: CellMesh | None = None,
+    contact: bool = True,
 ) -> CellPath:
     """Path of the periodic cell ``body`` (of ``geometry.build_cell``) from rest to ``pressure_to``
     [Pa], negative for suction, or to the pressure's maximum before it. Walls of neighbouring
-    chambers press on each other without friction.
+    chambers press on each other without friction; without ``contact`` they run through each other.
 
     ``materials`` by region; ``mesh``: elements per interval, None for the linear cell's own. Not
     reaching the end is a result: see ``CellPath.outcome``.
     """
     from actuators.mechanics.cell.helical.inflate import inflate
 
-    return inflate(body, materials, pressure_to, mesh)
+    return inflate(body, materials, pressure_to, mesh, contact=contact)

@@ -13,13 +13,13 @@ from actuators.mechanics.cell.kept import Kept, nonlinear_key
 _answers: Kept[CellPath] = Kept(512)
 
 
-def cell_path(body: Body, pressure_to: float) -> CellPath:
+def cell_path(body: Body, pressure_to: float, *, contact: bool = True) -> CellPath:
     """Answer of :func:`inflate_cell` up to ``pressure_to`` [Pa], with the catalogue's materials on
     the coarse mesh."""
     materials = tuple(material(region.material) for region in body.regions)
     return _answers.get(
-        (nonlinear_key(body, materials), float(pressure_to)),
-        lambda: inflate_cell(body, materials, pressure_to=pressure_to),
+        (nonlinear_key(body, materials), float(pressure_to), contact),
+        lambda: inflate_cell(body, materials, pressure_to=pressure_to, contact=contact),
     )
 
 

@@ -1,5 +1,8 @@
 """The cells of a design: paths over pressure; shear and bending, kept by their own content."""
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from actuators.design import Design
@@ -31,24 +34,27 @@ _shears: Kept[tuple[float, float]] = Kept(512)
 def row_paths(design: Design, scene: Scene) -> tuple[tuple[CellPath, ...], np.ndarray]:
     """Paths of the design's cells as far as the scene goes, and their weights (n, cells)."""
     cells, weights = row_cells(design)
+    path = partial(cell_path, contact=scene.choice("self_contact") != "off")
     if scene.pressure_to is not None:
-        return tuple(cell_path(cell, scene.pressure_to) for cell in cells), weights
+        return tuple(path(cell, scene.pressure_to) for cell in cells), weights
     growth = float(scene.volume_to or 0.0) - exact_volumes(design).cavity
-    return _grown_by(cells, weights, growth), weights
+    return _grown_by(cells, weights, growth, path), weights
 
 
-def _grown_by(cells: list[Body], weights: np.ndarray, growth: float) -> tuple[CellPath, ...]:
+def _grown_by(
+    cells: list[Body], weights: np.ndarray, growth: float, path: Callable[[Body, float], CellPath]
+) -> tuple[CellPath, ...]:
     """Paths on which the cells together grow by ``growth`` [m3]: begun with what their linear
     compliance says, and prolonged where they stiffen."""
     linear = np.array([cell_response(cell).cavity_compliance for cell in cells])
     pressure = growth / float((weights @ linear).sum())
-    paths = tuple(cell_path(cell, pressure) for cell in cells)
+    paths = tuple(path(cell, pressure) for cell in cells)
     for _ in range(4):
         grown = float((weights @ [abs(p.volume[-1] - p.volume[0]) for p in paths]).sum())
         if grown > abs(growth) * AMPLY or any(p.outcome is not Outcome.CONVERGED for p in paths):
             break
         pressure *= PROLONGED
-        paths = tuple(cell_path(cell, pressure) for cell in cells)
+        paths = tuple(path(cell, pressure) for cell in cells)
     return paths
 
 

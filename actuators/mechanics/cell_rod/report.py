@@ -79,7 +79,7 @@ def cell_rod_effects(question: Question, solved: Solved) -> tuple[Effect, ...]:
     """Which effects the answer holds."""
     scene = question.scene
     contact = solved.chambers.contact
-    walls = _walls(contact, solved.pressures)
+    walls = _walls(contact, question.paths)
     return (
         _gravity(question, solved),
         Effect("large_rotation", True, "the rod's segments are exact pieces of helix"),
@@ -139,15 +139,15 @@ def _ends(question: Question) -> Effect:
     )  # fmt: skip
 
 
-def _walls(contact: np.ndarray | None, pressures: np.ndarray) -> str:
+def _walls(contact: np.ndarray | None, paths: Sequence[CellPath]) -> str:
     if contact is None:
-        return "no walls of a chamber face each other closely, or contact is switched off"
-    touching = np.flatnonzero(contact > 0)
-    if len(touching) == 0:
+        return "no walls of neighbouring chambers face each other"
+    begins = [p.touching_from for p in paths if p.touching_from is not None]
+    if not begins or not (contact > 0).any():
         return "looked for in the periodic chamber, and no walls meet"
-    first = pressures[touching[0]] / 1e3
     return (
-        f"walls of neighbouring chambers meet from about {first:.3g} kPa on, with up to "
+        f"walls of neighbouring chambers meet from about {min(begins, key=abs) / 1e3:.2g} kPa on, "
+        "with up to "
         f"{contact.max() / 1e3:.3g} kPa"
     )
 

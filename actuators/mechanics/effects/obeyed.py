@@ -6,6 +6,7 @@ from dataclasses import replace
 from actuators.design import Design
 from actuators.errors import QuestionError
 from actuators.mechanics.choices import field_of
+from actuators.mechanics.effects.contacts import self_contact
 from actuators.mechanics.effects.forecast import Forecast, without_layer
 from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, Response
@@ -42,7 +43,8 @@ def obeyed(design: Design, scene: Scene, rung: str) -> tuple[Design, Scene]:
         plate=None if "plate" in off else scene.plate,
         cylinder=None if "cylinder" in off else scene.cylinder,
         effects=(),
-        self_contact="auto",
+        # only an inflated cell has walls that meet
+        self_contact="off" if rung == "cell-rod" and scene.self_contact == "off" else "auto",
     )
     loose = without_layer(design) if scene.choice("inextensible_layer") == "off" else None
     return loose or design, kept
@@ -50,7 +52,7 @@ def obeyed(design: Design, scene: Scene, rung: str) -> tuple[Design, Scene]:
 
 def marked(response: Response, design: Design, scene: Scene) -> Response:
     """The answer with the question as it was asked, and a note on what was left out by choice."""
-    left_out = _left_out(design, scene)
+    left_out = _left_out(design, scene, response.rung)
     others = [effect for effect in response.effects if effect.name not in left_out]
     chosen = [effect for effect, _ in left_out.values()]
     notes = [note for _, note in left_out.values()]
@@ -60,12 +62,12 @@ def marked(response: Response, design: Design, scene: Scene) -> Response:
     )  # fmt: skip
 
 
-def _left_out(design: Design, scene: Scene) -> dict[str, tuple[Effect, str]]:
+def _left_out(design: Design, scene: Scene, rung: str) -> dict[str, tuple[Effect, str]]:
     """Effect and note by name of everything that is there and switched off."""
     found: dict[str, tuple[Effect, str]] = {}
     for name in ("gravity", "outside_pressure", "tip_force", "plate_contact", "cylinder_contact",
-                 "inextensible_layer"):  # fmt: skip
-        if scene.choice(name) != "off" or not _there(name, design, scene):
+                 "inextensible_layer", "self_contact"):  # fmt: skip
+        if scene.choice(name) != "off" or not _there(name, design, scene, rung):
             continue
         change = _change(name, Forecast(design, scene))
         percent = None if change is None else 100.0 * change
@@ -76,7 +78,9 @@ def _left_out(design: Design, scene: Scene) -> dict[str, tuple[Effect, str]]:
     return found
 
 
-def _there(name: str, design: Design, scene: Scene) -> bool:
+def _there(name: str, design: Design, scene: Scene, rung: str) -> bool:
+    if name == "self_contact":  # rungs of small strains say for themselves that they have none
+        return rung == "cell-rod" and Forecast(design, scene).row.gap_closing != 0.0
     if name == "inextensible_layer":
         return without_layer(design) is not None
     if name == "gravity":
@@ -93,4 +97,4 @@ def _change(name: str, forecast: Forecast) -> float | None:
         return forecast.share(forecast.force.tip)
     if name == "outside_pressure":
         return forecast.share(forecast.outside.tip)
-    return None
+    return self_contact(forecast).change if name == "self_contact" else None

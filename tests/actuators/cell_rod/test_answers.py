@@ -97,6 +97,19 @@ def test_a_plate_under_the_body_bears_part_of_its_weight() -> None:
     assert np.all(np.diff(forces) > 0)
 
 
+def test_walls_run_through_each_other_where_contact_is_switched_off() -> None:
+    """And the answer says so, as that of finite elements does."""
+    touching, apart = (
+        ask(Scene(15e3, steps=2, self_contact=how), "oblique-45") for how in ("auto", "off")
+    )
+    assert (touching.path[-1].max_contact_pressure or 0.0) > 0.0
+    assert apart.path[-1].max_contact_pressure is None
+    assert apart.path[-1].tip[2] < touching.path[-1].tip[2] - 1e-4
+    effect = next(effect for effect in apart.effects if effect.name == "self_contact")
+    assert (effect.on, effect.forced) == (False, "off")
+    assert any("left out by choice" in note for note in apart.notes)
+
+
 def test_a_plate_out_of_reach_changes_nothing() -> None:
     free, far = ask(Scene(4e3, steps=2)), ask(Scene(4e3, steps=2, plate=Plate(0.5)))
     assert far.path[-1].tip == pytest.approx(free.path[-1].tip, abs=1e-9)

@@ -18,14 +18,15 @@ from actuators.mechanics.continuum.surface_fields import StrainRecovery
 
 
 def inflate(
-    body: Body, materials: tuple[Material, ...], pressure_to: float, mesh: CellMesh | None
-) -> CellPath:
+    body: Body, materials: tuple[Material, ...], pressure_to: float, mesh: CellMesh | None,
+    *, contact: bool = True,
+) -> CellPath:  # fmt: skip
     """See :func:`..inflated.inflate_cell`."""
     begun = time.perf_counter()
     if body.period is None:
         raise ValueError("a cell needs a period")
     domain = half_pitch(body, mesh or coarse_mesh(body))
-    walls = wall_contact(domain, materials, pressure_to)
+    walls = wall_contact(domain, materials, pressure_to) if contact else None
     solver = Solver(CellSystem(domain, materials, walls))
     course = Follower(solver, pressure_to).run()
     return _path(course, solver, body.period, begun)
@@ -37,8 +38,12 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
     stretch = [float(recovery.at_points(p.state.nodes)[0].max()) for p in points]
     contact = _contact_pressure(points, solver.system)
     notes = [f"The path of the periodic chamber ended: {course.reason}."] if course.reason else []
-    if contact is not None:
-        notes += _touching(points, contact, solver.system)
+    begins = None if contact is None else _touching_from(points, contact, solver.system)
+    if contact is not None and begins is not None:
+        notes.append(
+            f"Walls of neighbouring chambers touch from about {begins / 1e3:.2g} kPa on and press "
+            f"on each other with up to {contact.max() / 1e3:.3g} kPa, without friction."
+        )
     return CellPath(
         period=period,
         pressure=np.array([p.pressure for p in points]),
@@ -50,6 +55,7 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
         compliance=np.array([2 * p.growth for p in points]),
         max_stretch=np.array(stretch),
         contact_pressure=contact,
+        touching_from=begins,
         outcome=course.outcome,
         limit_pressure=course.limit,
         unknowns=solver.numbering.count,
@@ -77,11 +83,11 @@ def _contact_pressure(points: list[Point], system: CellSystem) -> np.ndarray | N
     return np.array([walls.largest_pressure(system.wall_positions(p.state)) for p in points])
 
 
-def _touching(points: list[Point], contact: np.ndarray, system: CellSystem) -> list[str]:
-    """From which pressure neighbouring walls touch."""
+def _touching_from(points: list[Point], contact: np.ndarray, system: CellSystem) -> float | None:
+    """Pressure [Pa] from which on neighbouring walls touch; None where they do not."""
     pressed = np.flatnonzero(contact > 0.0)
     if len(pressed) == 0:
-        return []
+        return None
     first = int(pressed[0])
     before, after = points[max(first - 1, 0)], points[first]
     begins = after.pressure
@@ -91,7 +97,4 @@ def _touching(points: list[Point], contact: np.ndarray, system: CellSystem) -> l
         closing = (earlier - open_) / (before.pressure - points[first - 2].pressure)
         if closing > 0.0:
             begins = min(before.pressure + open_ / closing, after.pressure, key=abs)
-    return [
-        f"Walls of neighbouring chambers touch from about {begins / 1e3:.2g} kPa on and press on "
-        f"each other with up to {contact.max() / 1e3:.3g} kPa, without friction."
-    ]
+    return begins
