@@ -11,6 +11,7 @@ import numpy as np
 
 from actuators.materials import Material
 from actuators.mechanics.continuum.contact import ContactLaw
+from actuators.mechanics.continuum.contact.points import OBSTACLE_POINTS
 from actuators.mechanics.obstacles import Plate
 from actuators.meshing import HexMesh
 
@@ -101,7 +102,7 @@ def contact_energy(gap: Any, law: ContactLaw) -> Any:
 
 class NgsolveProblem:
     """Q2 displacement, linear discontinuous pressure, follower pressure, gravity, and a rigid plate
-    (``plate`` with its law of contact pressure) on 3 x 3 points of every outer face."""
+    (``plate`` with its law of contact pressure) on the same points of every outer face as ours."""
 
     def __init__(
         self,
@@ -164,9 +165,15 @@ class NgsolveProblem:
         form += ns.Variation(energy.Compile() * ns.dx)
         form += ns.Variation((-self.pressure * volume).Compile() * ns.ds("cavity"))
         if self._plate is not None:
-            nine = {ns.ET.QUAD: ns.IntegrationRule(ns.ET.QUAD, 5)}
-            form += ns.Variation(self._pressed(u).Compile() * ns.ds("outer", intrules=nine))
+            rule = self._contact_rule()
+            form += ns.Variation(self._pressed(u).Compile() * ns.ds("outer", intrules=rule))
         return form
+
+    def _contact_rule(self) -> dict[Any, Any]:
+        """Our points of contact, on the square from 0 to 1."""
+        places = [tuple(place) for place in (OBSTACLE_POINTS.local + 1) / 2]
+        weights = (OBSTACLE_POINTS.weights / 4).tolist()
+        return {self._ns.ET.QUAD: self._ns.IntegrationRule(places, weights)}
 
     def _gap(self, u: Any) -> Any:
         """Distance from the plate [m], negative inside."""
@@ -226,8 +233,8 @@ class NgsolveProblem:
         soft = law.stiffness * (law.onset - g) ** 2 / (4 * law.onset)
         hard = -law.stiffness * g
         pressure = ns.IfPos(g - law.onset, 0, ns.IfPos(g + law.onset, soft, hard))
-        nine = {ns.ET.QUAD: ns.IntegrationRule(ns.ET.QUAD, 5)}
-        return float(ns.Integrate(pressure * ns.ds("outer", intrules=nine), self.mesh))
+        rule = self._contact_rule()
+        return float(ns.Integrate(pressure * ns.ds("outer", intrules=rule), self.mesh))
 
     @property
     def unknowns(self) -> int:

@@ -2,8 +2,11 @@
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 
-from actuators.mechanics.continuum.contact import Obstacle, contact_law, outside
+from actuators.mechanics.continuum.contact import Obstacle, Tangent, contact_law, outside
+from actuators.mechanics.continuum.contact.surface import TOLERANCE, ContactSurface
+from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.meshing import HexMesh, mesh_body
 from tests.actuators.contact.pressed import MU, RUBBER, Place, box, press, reaction, straight
@@ -11,9 +14,18 @@ from tests.actuators.contact.pressed import MU, RUBBER, Place, box, press, react
 WIDE, HIGH, THICK, RADIUS = 24e-3, 12e-3, 1e-3, 20e-3
 
 
+def underside(mesh: HexMesh) -> ContactSurface:
+    """Without the sides, whose lower edges carry a share of their own where they touch."""
+    surface = outside(mesh)
+    kept = np.isin(surface.faces, mesh.on_first_plane(2)).all(axis=1)
+    return ContactSurface(surface.nodes, surface.faces[kept], surface.areas[kept])
+
+
 def pressed_in_plane_strain(mesh: HexMesh, obstacle: Plate | Cylinder, depth: float):
-    """Push the block's far side by ``depth`` towards the obstacle below it."""
-    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), obstacle)
+    """Push the block's far side by ``depth`` towards the obstacle below it. Its sides are planes of
+    symmetry, no outside that could press with its lower edge."""
+    surface = underside(mesh)
+    contact = Obstacle(surface, contact_law(mesh, [RUBBER]), obstacle)
     free = np.ones((len(mesh.nodes), 3), dtype=bool)
     free[:, 1] = False
     top = mesh.on_last_plane(2)
@@ -83,17 +95,59 @@ def test_a_needle_between_the_points_of_contact_is_seen() -> None:
     mesh = mesh_body(box((10e-3, 10e-3, 10e-3)))
     contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), Cylinder(3e-4, (3e-3, 0, -1e-3)))
     sunk = mesh.nodes - [0.0, 0.0, 0.9e-3]
-    assert contact.depth(sunk) < 0.0  # no node and no Gauss point lies in it
-    assert 1e-4 < contact.unseen_depth(sunk) <= 2e-4  # its top lies 0.2 mm inside
+    assert contact.gaps(sunk).min() > 0.0  # no point of contact lies in it
+    assert 1e-4 < contact.depth(sunk) <= 2e-4  # its top lies 0.2 mm inside
 
 
 def test_uniform_pressure_at_the_nodes() -> None:
     mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(3, 2, 2))
     law = contact_law(mesh, [RUBBER])
-    contact = Obstacle(outside(mesh), law, Plate(0.0))
+    contact = Obstacle(underside(mesh), law, Plate(0.0))
     sunk = mesh.nodes - [0.0, 0.0, 3 * law.onset]  # contact begins with the first
     pressure = contact.contact_pressure(sunk)
     below = np.isclose(mesh.nodes[:, 2], 0.0) & (mesh.nodes[:, 0] > 0)
     inside = below & (mesh.nodes[:, 0] < 10e-3) & (abs(mesh.nodes[:, 1]) < 4.9e-3)
     assert pressure[inside] == pytest.approx(2 * law.onset * law.stiffness)
     assert contact.force(sunk)[2] == pytest.approx(-2 * law.onset * law.stiffness * 1e-4, rel=1e-9)
+
+
+@pytest.mark.parametrize("obstacle", [Plate(1e-7), Cylinder(8e-3, (5e-3, 0.0, -8e-3))])
+def test_tangent_is_the_derivative_of_the_force(obstacle: Plate | Cylinder) -> None:
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(2, 1, 1))
+    law = contact_law(mesh, [RUBBER])
+    contact = Obstacle(outside(mesh), law, obstacle)
+    rng = np.random.default_rng(1)
+    sunk = mesh.nodes + 0.5 * law.onset * rng.standard_normal(mesh.nodes.shape)
+    sunk[:, 2] -= law.onset
+    free = np.ones_like(mesh.nodes, dtype=bool)
+    system = ContinuumSystem(mesh, [RUBBER], free=free, interactions=[contact])
+    values = np.zeros(len(system.indices))
+    into = Tangent(system.dof, system.indptr, system.indices, values)
+    contact.add(sunk, np.zeros_like(sunk), into)
+    way = rng.standard_normal(sunk.shape)
+    way[mesh.centre_nodes] = 0.0
+    slope, h = np.zeros_like(sunk), 1e-5 * law.onset
+    for sign in (1, -1):
+        residual = np.zeros_like(sunk)
+        contact.add(sunk + sign * h * way, residual, None)
+        slope += sign * residual / (2 * h)
+    size = system.unknowns
+    upper = sp.csr_matrix((values, system.indices, system.indptr), shape=(size, size))
+    expected = (upper + sp.triu(upper, 1).T) @ way[system.dof >= 0]
+    assert np.abs(expected).max() > 0
+    assert slope[system.dof >= 0] == pytest.approx(expected, abs=1e-5 * np.abs(expected).max())
+
+
+def test_a_tilted_block_enters_a_plate_nowhere_by_more_than_the_tolerance() -> None:
+    """Pressed with one edge first, on one coarse face: edges and what lies between nodes count."""
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(2, 1, 2))
+    contact = Obstacle(outside(mesh), contact_law(mesh, [RUBBER]), Plate(1e-6))
+    free = np.ones((len(mesh.nodes), 3), dtype=bool)
+    top = mesh.on_last_plane(2)
+    free[top] = False
+    moved = np.zeros_like(mesh.nodes)
+    moved[top, 2] = -0.1e-3 - 0.05 * mesh.nodes[top, 0]
+    _, state = press(mesh, free, moved, [contact], steps=3)
+    positions = mesh.nodes + state.displacement
+    assert (contact.gaps(positions) < 0).any()
+    assert contact.depth(positions) < TOLERANCE * 10e-3

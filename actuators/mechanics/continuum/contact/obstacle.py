@@ -3,19 +3,20 @@
 import numpy as np
 
 from actuators.mechanics.continuum.contact.interaction import Tangent, Touch
+from actuators.mechanics.continuum.contact.points import GRID_VALUES, OBSTACLE_POINTS
 from actuators.mechanics.continuum.contact.surface import (
     ContactLaw,
     ContactSurface,
     law_pressure,
 )
-from actuators.mechanics.continuum.kernel.contact import CYLINDER, PLANE, add_rigid
-from actuators.mechanics.continuum.kernel.shape import square_shape
+from actuators.mechanics.continuum.kernel.contact import (
+    CYLINDER,
+    PLANE,
+    add_rigid,
+    point_areas,
+)
 from actuators.mechanics.obstacles import Cylinder, Plate
 
-GRID_VALUES: np.ndarray = square_shape(
-    np.stack(np.meshgrid(*[np.linspace(-1, 1, 17)] * 2), axis=-1).reshape(-1, 2)
-)[0]
-"""Shape functions on a fine grid over a face, (289, 9)."""
 _NO_DOF = np.empty((0, 3), dtype=np.int32)
 _NO_INDEX = np.empty(0, dtype=np.int32)
 _NO_VALUES = np.empty(0)
@@ -31,6 +32,9 @@ class Obstacle:
     ) -> None:
         self.obstacle = obstacle
         self._surface, self._law = surface, law
+        points = OBSTACLE_POINTS
+        self._places = points.values
+        self._areas = point_areas(surface.nodes, surface.faces, points.slopes, points.weights)
         self._deepest = np.inf
         if isinstance(obstacle, Plate):
             normal = np.array(obstacle.normal)
@@ -62,19 +66,18 @@ class Obstacle:
         return Touch(points, bool(gaps.min() < -self._deepest))
 
     def gaps(self, positions: np.ndarray) -> np.ndarray:
-        """(f, 9) distance [m] of the Gauss points, negative inside."""
+        """(f, q) distance [m] of the points of every face, negative inside."""
         return self._press(positions, np.zeros_like(positions), None)
 
     def depth(self, positions: np.ndarray) -> float:
-        """Deepest penetration of a node or a Gauss point [m], negative where there is none: an
-        edge beyond the last Gauss point may lie deeper than any of them."""
-        return -float(min(self.gaps(positions).min(), self._distance(positions).min()))
-
-    def unseen_depth(self, positions: np.ndarray) -> float:
-        """Deepest penetration [m] on a fine grid over every face: what is thinner than the Gauss
-        points are apart slips between them."""
-        patch = np.einsum("gn,fni->fgi", GRID_VALUES, positions[self._surface.faces])
-        return max(0.0, -float(self._distances_of(patch.reshape(-1, 3)).min()))
+        """Deepest penetration [m] anywhere, negative where there is none: on a fine grid over every
+        face that is near. What is thinner than the points are apart slips between them."""
+        patch = positions[self._surface.faces]
+        low = self._distances_of(patch.reshape(-1, 3)).reshape(-1, 9)
+        # a face reaches no farther beyond its nodes than these are apart
+        near = low.min(axis=1) - np.ptp(patch, axis=1).max(axis=1) < low.min()
+        grid = np.einsum("gn,fni->fgi", GRID_VALUES, patch[near])
+        return -float(self._distances_of(grid.reshape(-1, 3)).min())
 
     def force(self, positions: np.ndarray) -> np.ndarray:
         """(3,) resultant on the obstacle [N]; that of the half for a half model."""
@@ -83,7 +86,7 @@ class Obstacle:
         return residual.sum(axis=0)
 
     def largest_pressure(self, positions: np.ndarray) -> float:
-        """Largest contact pressure at a Gauss point [Pa], per undeformed area."""
+        """Largest contact pressure at a point [Pa], per undeformed area."""
         return float(law_pressure(self.gaps(positions), self._law).max())
 
     def overlap(self, positions: np.ndarray) -> float:
@@ -92,7 +95,10 @@ class Obstacle:
 
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
         """See :class:`Interaction`."""
-        return self._surface.nodal(positions, self.gaps(positions), self._law)
+        load = law_pressure(self.gaps(positions), self._law) * self._areas
+        points = OBSTACLE_POINTS
+        now = point_areas(positions, self._surface.faces, points.slopes, points.weights)
+        return self._surface.averaged(load, now, np.abs(self._places))
 
     def _distance(self, positions: np.ndarray) -> np.ndarray:
         """(m,) distance of the surface's nodes."""
@@ -109,11 +115,11 @@ class Obstacle:
         self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None
     ) -> np.ndarray:
         surface, law = self._surface, self._law
-        gaps = np.empty(surface.faces.shape)
+        gaps = np.empty(self._areas.shape)
         into = tangent or Tangent(_NO_DOF, _NO_INDEX, _NO_INDEX, _NO_VALUES)
         add_rigid(
-            positions, surface.faces, surface.areas, self._kind, self._shape, law.stiffness,
-            law.onset, residual, tangent is not None, into.dof, into.indptr, into.indices,
-            into.values, gaps,
+            positions, surface.faces, self._places, self._areas, self._kind, self._shape,
+            law.stiffness, law.onset, residual, tangent is not None, into.dof, into.indptr,
+            into.indices, into.values, gaps,
         )  # fmt: skip
         return gaps

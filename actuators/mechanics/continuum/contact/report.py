@@ -12,7 +12,7 @@ from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.obstacles import Cylinder, Plate
 
 UNSEEN = 0.2
-"""Of a cylinder's radius: deeper than that it has slipped between the Gauss points."""
+"""Of a cylinder's radius: deeper than that it has slipped between the points of contact."""
 _Measure = Callable[[np.ndarray], float]
 
 
@@ -67,9 +67,7 @@ def unseen_notes(system: ContinuumSystem, points: Sequence[Equilibrium]) -> list
         if not isinstance(interaction, Obstacle) or isinstance(interaction.obstacle, Plate):
             continue
         nodes = system.mesh.nodes
-        depth = max(
-            (interaction.unseen_depth(nodes + p.state.displacement) for p in points), default=0.0
-        )
+        depth = max((interaction.depth(nodes + p.state.displacement) for p in points), default=0.0)
         if depth > UNSEEN * interaction.obstacle.radius:
             notes.append(
                 f"The cylinder enters the body by {depth * 1e3:.2g} mm between the points where "

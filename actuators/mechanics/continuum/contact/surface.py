@@ -49,11 +49,14 @@ class ContactSurface:
         """(n,) contact pressure [Pa] of distances ``gaps`` (f, 9) at the Gauss points, averaged to
         the nodes and referred to the area as it is now."""
         load = law_pressure(gaps, law) * self.areas
-        now = face_areas(positions, self.faces)
-        total, share = np.zeros(len(positions)), np.zeros(len(positions))
-        weight = np.abs(SQUARE_VALUES)
+        return self.averaged(load, face_areas(positions, self.faces), np.abs(SQUARE_VALUES))
+
+    def averaged(self, load: np.ndarray, area: np.ndarray, weight: np.ndarray) -> np.ndarray:
+        """(n,) mean of ``load`` (f, q) [N] over ``area`` (f, q) [m2] at the nodes, which have these
+        shares ``weight`` (q, 9) in the points."""
+        total, share = np.zeros(len(self.nodes)), np.zeros(len(self.nodes))
         np.add.at(total, self.faces, load @ weight)
-        np.add.at(share, self.faces, now @ weight)
+        np.add.at(share, self.faces, area @ weight)
         return np.divide(total, share, out=np.zeros_like(total), where=share > 0)
 
 

@@ -1,15 +1,16 @@
 """Frictionless contact of quadratic faces with rigid obstacles, and what all contact shares.
 
 Energy: the integral over reference area of phi(g), g the signed distance of a point on one face to
-the other surface (negative inside), at the 3 x 3 Gauss points. phi' is minus the contact pressure:
-none above ``onset``, linear with slope ``stiffness`` below ``-onset``, a parabola in between.
+the other surface (negative inside), as a sum over points of the face. phi' is minus the contact
+pressure: none above ``onset``, linear with slope ``stiffness`` below ``-onset``, a parabola in
+between.
 """
 
 import numpy as np
 from numba import njit
 
 from actuators.mechanics.continuum.kernel.pattern import place_in_row
-from actuators.mechanics.continuum.kernel.shape import SQUARE_SLOPES, SQUARE_VALUES, SQUARE_WEIGHTS
+from actuators.mechanics.continuum.kernel.shape import SQUARE_SLOPES, SQUARE_WEIGHTS
 
 PLANE, CYLINDER = 0, 1
 
@@ -24,18 +25,28 @@ def pressure_law(gap: float, stiffness: float, onset: float) -> tuple[float, flo
     return stiffness * (onset - gap) ** 2 / (4 * onset), stiffness * (onset - gap) / (2 * onset)
 
 
-@njit(cache=True)
 def face_areas(nodes: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(f, 9) area [m2] of each Gauss point at ``nodes`` (n, 3)."""
-    areas = np.empty((len(faces), 9))
+    return point_areas(nodes, faces, SQUARE_SLOPES, SQUARE_WEIGHTS)
+
+
+@njit(cache=True)
+def point_areas(
+    nodes: np.ndarray, faces: np.ndarray, slopes: np.ndarray, weights: np.ndarray
+) -> np.ndarray:
+    """(f, q) area [m2] that each point of faces (f, 9) stands for at ``nodes`` (n, 3): the shape
+    functions have ``slopes`` (q, 2, 9) there, and the points these weights (q,)."""
+    areas = np.empty((len(faces), len(weights)))
+    a, b = np.empty(3), np.empty(3)
     for f in range(len(faces)):
-        for q in range(9):
-            a, b = np.zeros(3), np.zeros(3)
+        for q in range(len(weights)):
+            a[:] = 0.0
+            b[:] = 0.0
             for n in range(9):
                 for i in range(3):
-                    a[i] += SQUARE_SLOPES[q, 0, n] * nodes[faces[f, n], i]
-                    b[i] += SQUARE_SLOPES[q, 1, n] * nodes[faces[f, n], i]
-            areas[f, q] = SQUARE_WEIGHTS[q] * np.linalg.norm(np.cross(a, b))
+                    a[i] += slopes[q, 0, n] * nodes[faces[f, n], i]
+                    b[i] += slopes[q, 1, n] * nodes[faces[f, n], i]
+            areas[f, q] = weights[q] * np.linalg.norm(np.cross(a, b))
     return areas
 
 
@@ -98,6 +109,7 @@ def rigid_gap(
 def add_rigid(
     positions: np.ndarray,
     faces: np.ndarray,
+    places: np.ndarray,
     areas: np.ndarray,
     kind: int,
     shape: np.ndarray,
@@ -111,17 +123,18 @@ def add_rigid(
     values: np.ndarray,
     gaps: np.ndarray,
 ) -> bool:
-    """Forces of one obstacle on ``faces`` (f, 9); fills ``gaps`` (f, 9) [m]."""
+    """Forces of one obstacle on ``faces`` (f, 9) at points that have the shape functions ``places``
+    (q, 9) and stand for ``areas`` (f, q); fills ``gaps`` (f, q) [m]."""
     x, normal, bend = np.empty(3), np.empty(3), np.empty((3, 3))
-    block = np.empty((27, 27))
+    block, second = np.empty((27, 27)), np.empty((3, 3))
     complete = True
     for f in range(len(faces)):
         touched = False
-        for q in range(9):
+        for q in range(len(places)):
             x[:] = 0.0
             for n in range(9):
                 for i in range(3):
-                    x[i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
+                    x[i] += places[q, n] * positions[faces[f, n], i]
             gap = rigid_gap(x, kind, shape, normal, bend)
             gaps[f, q] = gap
             pressure, slope = pressure_law(gap, stiffness, onset)
@@ -130,18 +143,22 @@ def add_rigid(
             w = areas[f, q]
             for n in range(9):
                 for i in range(3):
-                    residual[faces[f, n], i] -= w * pressure * SQUARE_VALUES[q, n] * normal[i]
+                    residual[faces[f, n], i] -= w * pressure * places[q, n] * normal[i]
             if not want_tangent:
                 continue
             if not touched:
                 block[:] = 0.0
                 touched = True
-            for a in range(27):
-                i, na = a % 3, w * SQUARE_VALUES[q, a // 3]
-                for b in range(27):
-                    j = b % 3
-                    second = slope * normal[i] * normal[j] - pressure * bend[i, j]
-                    block[a, b] += na * SQUARE_VALUES[q, b // 3] * second
+            for i in range(3):
+                for j in range(3):
+                    second[i, j] = slope * normal[i] * normal[j] - pressure * bend[i, j]
+            for a in range(9):
+                for b in range(9):
+                    both = w * places[q, a] * places[q, b]
+                    if both != 0.0:
+                        for i in range(3):
+                            for j in range(3):
+                                block[3 * a + i, 3 * b + j] += both * second[i, j]
         if touched:
             complete &= scatter_block(faces[f], block, dof, indptr, indices, values)
     return complete
