@@ -55,6 +55,8 @@ class Result:
 
 def run_case(case: Case) -> Result:
     """Ask the case's question and judge the answer; a warning is a failure."""
+    if any(check.like for check in case.checks):
+        _forget()
     begun = time.process_time()
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -100,10 +102,14 @@ def _judged(case: Case, answer: Response, seconds: float) -> Result:
 def _other(case: Case, like: Variation) -> dict[str, Any]:
     if like.threads is not None:
         return _in_another_process(case, like.threads)
-    # cells are kept under rounded positions: a neighbour's would be compared with itself
+    _forget()
+    return ask(question(case, like), case.budget).to_document()
+
+
+def _forget() -> None:
+    """Cells are kept under rounded positions: what is compared with a neighbour must be solved."""
     forget_cells()
     forget_paths()
-    return ask(question(case, like), case.budget).to_document()
 
 
 def _in_another_process(case: Case, threads: int) -> dict[str, Any]:

@@ -12,8 +12,9 @@ from actuators.mechanics.cell.helical.follow import Follower
 from actuators.mechanics.cell.helical.newton import Found, Solver
 from actuators.mechanics.cell.helical.numbering import Numbering
 from actuators.mechanics.cell.helical.screw import screw
+from actuators.mechanics.cell.helical.step import step_of
 from actuators.mechanics.cell.helical.system import CellState, CellSystem, Reduced
-from actuators.mechanics.cell.helical.tangent import Target
+from actuators.mechanics.cell.helical.tangent import Tangent, Target
 from actuators.mechanics.cell.inflated import inflate_cell
 from actuators.mechanics.cell.periodic import CellMesh, coarse_mesh, solve_cell
 from actuators.mechanics.response import Outcome
@@ -116,6 +117,29 @@ def test_the_tangent_is_the_change_of_the_forces() -> None:
     np.testing.assert_allclose(found, expected, atol=1e-6 * np.abs(expected).max())
     growth = (system.volume(ahead) - system.volume(back)) / (2 * h)
     assert growth == pytest.approx(system.volume_gradient(state, numbering) @ step, rel=1e-6)
+
+
+@pytest.mark.parametrize("bulk", ["@nu=0.49", "@incompressible"])
+def test_an_old_tangent_serves_whatever_the_bulk_modulus(bulk: str) -> None:
+    """Its corrections obey the volume along its own motions: folded by the new state's they were
+    wrong by bulk times what was missed, and grew tenfold each."""
+    both = dict.fromkeys(("top_material", "bottom_material"), "elastosil-m4601" + bulk)
+    body = build_cell(preset("oblique-90").design.changed(**both), 0)
+    system = CellSystem(
+        half_pitch(body, coarse_mesh(body)), tuple(material(r.material) for r in body.regions)
+    )
+    solver, pressure, state = Solver(system), 1250.0, system.rest()
+    factor = solver.factor(state, pressure)
+    assert factor is not None
+    tangent, balance, lengths = Tangent(factor, Target(pressure)), factor.balance, []
+    for _ in range(5):
+        solution, hold, rise = tangent.correction(state, balance, pressure)
+        step = step_of(system, state, solution, balance, hold, rise)
+        lengths.append(step.length / system.size)
+        state = step.taken(system, state, 1.0)
+        balance = system.balance(state, pressure)
+    ratios = np.divide(lengths[1:], lengths[:-1])
+    assert max(ratios) < 0.4
 
 
 def test_a_slab_has_a_limit_pressure_where_its_bending_stiffness_vanishes() -> None:

@@ -32,7 +32,7 @@ class Numbering:
     ``unknown``: (nodes, 7), the mesh's outer ones first, then those of walls in contact; ``places``
     and ``wall_places``: of either's blocks in the matrix; ``of_site``: (s, 3); ``mean``:
     (count + border, h), what the conditions on the mean motion weigh each unknown with; ``sign``:
-    (6,) of every image.
+    (6,) of every image; ``motion``: G of :mod:`.reduce` at the tangent last reduced, None before.
     """
 
     strains: tuple[int, ...]
@@ -48,6 +48,7 @@ class Numbering:
     wall_places: np.ndarray
     node_entries: tuple[int, int]
     solver: SymmetricSolver
+    motion: np.ndarray | None = None
 
     @property
     def border(self) -> int:

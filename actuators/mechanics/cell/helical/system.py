@@ -134,7 +134,7 @@ class CellSystem:
         caps = self._caps(state)
         forces = self.free.volume(state.nodes)[1].reshape(-1, 3)
         forces[self._rim_rank] += caps.gradient
-        reduced = self._reduced_forces(forces, state, numbering)
+        reduced = _folded(forces, self._motion(state, numbering), numbering)
         strains = slice(numbering.count, numbering.count + len(numbering.strains))
         reduced[strains] += caps.rate[list(numbering.strains)]
         return reduced
@@ -142,12 +142,18 @@ class CellSystem:
     def forces(
         self, state: CellState, balance: Balance, pressure: float, numbering: Numbering
     ) -> np.ndarray:
-        """(count + border,) residual, inner unknowns condensed with the tangent last filled."""
+        """(count + border,) residual, inner unknowns condensed with the tangent last filled.
+
+        What they add is folded as that tangent was: its solution obeys the volume of every element
+        only along its own motions, and a bulk modulus makes a pressure of whatever is missed.
+        """
         caps = self._caps(state)
-        forces = self.free.reduce(balance).reshape(-1, 3)
+        forces = balance.residual[self._outer]
+        condensed = self.free.reduce(balance).reshape(-1, 3) - forces
         forces[self._rim_rank] -= pressure * caps.gradient
         forces = np.concatenate([forces, self._geometry(state).walls])
-        reduced = self._reduced_forces(forces, state, numbering)
+        reduced = _folded(forces, self._motion(state, numbering), numbering)
+        reduced += _folded(condensed, self._condensed_motion(state, numbering), numbering)
         strains = slice(numbering.count, numbering.count + len(numbering.strains))
         reduced[strains] -= pressure * caps.rate[list(numbering.strains)]
         return reduced + numbering.mean @ state.hold
@@ -161,9 +167,10 @@ class CellSystem:
     def expand(
         self, state: CellState, solution: np.ndarray, balance: Balance | None, numbering: Numbering
     ) -> tuple[State, np.ndarray, np.ndarray]:
-        """Change of the free nodes' state, of the sites' places and of the strains (4,)."""
+        """Change of the free nodes' state, of the sites' places and of the strains (4,); inner
+        unknowns with the tangent last filled, as in :meth:`forces`."""
         count = len(self._outer)
-        motion = self._motion(state, numbering)[:count]
+        motion = self._condensed_motion(state, numbering)[:count]
         padded = np.append(solution, 0.0)  # unknown -1 is held
         moved = np.einsum("nik,nk->ni", motion, padded[numbering.unknown[:count]])
         change = self.free.expand(moved.ravel(), balance)
@@ -183,7 +190,7 @@ class CellSystem:
             np.zeros((numbering.count, numbering.border)),
             np.zeros((numbering.border, numbering.border)),
         )
-        motion = self._motion(state, numbering)
+        motion = numbering.motion = self._motion(state, numbering)
         for blocks, places in ((mesh, numbering.places), (walls, numbering.wall_places)):
             nodes = blocks.nodes
             reduce_stiffness(
@@ -252,16 +259,10 @@ class CellSystem:
         seen.of_nodes[numbering.strains] = motion
         return motion
 
-    def _reduced_forces(
-        self, forces: np.ndarray, state: CellState, numbering: Numbering
-    ) -> np.ndarray:
-        """G^T of forces on the first nodes (n, 3)."""
-        motion, unknown = self._motion(state, numbering), numbering.unknown[: len(forces)]
-        local = np.einsum("nik,ni->nk", motion[: len(forces)], forces)
-        return np.bincount(
-            np.where(unknown < 0, numbering.count + numbering.border, unknown)
-            .ravel(), weights=local.ravel(), minlength=numbering.count + numbering.border + 1,
-        )[:-1]  # fmt: skip
+    def _condensed_motion(self, state: CellState, numbering: Numbering) -> np.ndarray:
+        """G at the state of the tangent last reduced in this numbering; at ``state`` before one
+        was."""
+        return self._motion(state, numbering) if numbering.motion is None else numbering.motion
 
     def _geometry(self, state: CellState) -> "_Seen":
         """Motions and caps of a state; kept until another is asked for."""
@@ -295,3 +296,13 @@ class CellSystem:
             lay_out(made, *self._blocks())
             self._numberings[parity] = made
         return self._numberings[parity]
+
+
+def _folded(forces: np.ndarray, motion: np.ndarray, numbering: Numbering) -> np.ndarray:
+    """(count + border,) G^T of forces on the first nodes (n, 3)."""
+    unknown = numbering.unknown[: len(forces)]
+    local = np.einsum("nik,ni->nk", motion[: len(forces)], forces)
+    return np.bincount(
+        np.where(unknown < 0, numbering.count + numbering.border, unknown).ravel(),
+        weights=local.ravel(), minlength=numbering.count + numbering.border + 1,
+    )[:-1]  # fmt: skip
