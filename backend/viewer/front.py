@@ -13,7 +13,8 @@ from fastapi.responses import HTMLResponse, RedirectResponse, Response
 from starlette.websockets import WebSocketDisconnect, WebSocketState
 
 from backend.viewer.rooms import RoomKeeper
-from backend.viewer.service import SESSION_COOKIE
+from backend.viewer.schemas import LoadedBodies
+from backend.viewer.service import SESSION_COOKIE, note_loaded
 from backend.viewer.viser_door import KEY_HEADER, SUBPROTOCOL, client_page
 from storage import NotFoundError
 
@@ -38,6 +39,32 @@ addEventListener("unhandledrejection", (event) => {
   if (event.reason instanceof EvalError) event.preventDefault();
 });
 </script>"""
+# Bodies load behind the scenes, and nothing in viser says when. three.js shows its scenes to
+# whoever calls itself its developer tools; from them the page reads how many bodies of each take
+# are in place, and tells the room, which lets new bodies take the old ones' place only then.
+LOADED = """<script>
+{
+  const scenes = new Set(), told = new Map(), page = Math.random().toString(36);
+  window.__THREE_DEVTOOLS__ = new EventTarget();
+  window.__THREE_DEVTOOLS__.addEventListener("observe", ({detail}) => {
+    if (detail.isScene) scenes.add(detail);
+  });
+  setInterval(() => {
+    const found = new Map();
+    for (const scene of scenes) scene.traverse(({userData: {take}}) => {
+      if (take) found.set(take, (found.get(take) ?? 0) + 1);
+    });
+    for (const take of told.keys()) if (!found.has(take)) told.delete(take);
+    for (const [take, bodies] of found) {
+      if (told.get(take) === bodies) continue;
+      told.set(take, bodies);
+      fetch("loaded", {method: "POST", headers: {"content-type": "application/json"},
+                       body: JSON.stringify({take, bodies, page})})
+        .catch(() => told.delete(take));
+    }
+  }, 40);
+}
+</script>"""
 HEADERS = {
     "Content-Security-Policy": POLICY,
     "Cache-Control": "no-store",
@@ -58,6 +85,10 @@ def router() -> APIRouter:
             return RedirectResponse(request.url.path, headers=HEADERS)
         return HTMLResponse(_page(), headers=HEADERS)
 
+    @front.post("/viewer/{view_id}/loaded", status_code=204)
+    def loaded(view_id: str, body: LoadedBodies, request: Request) -> None:
+        note_loaded(request.app.state.rooms, view_id, body.take, body.bodies, body.page, request)
+
     @front.get("/viewer/{view_id}")
     def page_without_slash(view_id: str) -> Response:
         return RedirectResponse(f"/viewer/{view_id}/")
@@ -73,7 +104,7 @@ def _page() -> str:
     head, found, rest = page.partition("</head>")
     if not found:
         raise RuntimeError("viser's page has no head")
-    return f"{head}{HIDING}{QUIET}{found}{rest}"
+    return f"{head}{HIDING}{QUIET}{LOADED}{found}{rest}"
 
 
 async def _socket(socket: WebSocket, view_id: str) -> None:

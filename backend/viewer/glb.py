@@ -20,9 +20,11 @@ def coloured_body(
     factor: float,
     edge_colour: tuple[float, float, float, float],
     opacity: float = 1.0,
+    take: str = "",
 ) -> bytes:
     """One body. ``positions`` (n, 3) float32; ``triangles`` (m, 3); ``colours`` (n, 4) int16,
-    where 32767 stands for ``factor`` in linear light; ``edges`` (e, 2) vertices joined by lines."""
+    where 32767 stands for ``factor`` in linear light; ``edges`` (e, 2) vertices joined by lines;
+    ``take``: kept in the node's extras, where the page reads which bodies it has loaded."""
     writer = _Writer()
     position = writer.positions(positions)
     colour = writer.add(colours, _SHORT, "VEC4", normalized=True)
@@ -40,7 +42,10 @@ def coloured_body(
         _unlit((factor, factor, factor, opacity), blend=opacity < 1.0),
         _unlit(edge_colour, blend=edge_colour[3] < 1.0),
     ]
-    return writer.file({"meshes": [{"primitives": primitives}], "materials": materials})
+    return writer.file(
+        {"nodes": [{"mesh": 0, "extras": {"take": take}}], "meshes": [{"primitives": primitives}],
+         "materials": materials}
+    )  # fmt: skip
 
 
 def _unlit(factor: tuple[float, float, float, float], *, blend: bool) -> dict[str, Any]:
@@ -90,7 +95,6 @@ class _Writer:
             "extensionsUsed": ["KHR_materials_unlit"],
             "scene": 0,
             "scenes": [{"nodes": [0]}],
-            "nodes": [{"mesh": 0}],
             "buffers": [{"byteLength": self._size}],
             "bufferViews": self._views,
             "accessors": self._accessors,

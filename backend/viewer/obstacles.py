@@ -54,8 +54,10 @@ def cylinder_mesh(cylinder: Cylinder, box: np.ndarray) -> tuple[np.ndarray, np.n
     return points, triangles, edges[: 2 * _SIDES]
 
 
-def obstacle_glb(points: np.ndarray, triangles: np.ndarray, edges: np.ndarray) -> bytes:
-    """GLB of one obstacle; every face is lit by its own normal."""
+def obstacle_glb(
+    points: np.ndarray, triangles: np.ndarray, edges: np.ndarray, *, take: str
+) -> bytes:
+    """GLB of one obstacle, marked as part of ``take``; every face is lit by its own normal."""
     flat = points[triangles.ravel()]
     a, b, c = flat[0::3], flat[1::3], flat[2::3]
     normals = np.cross(b - a, c - a)
@@ -71,6 +73,7 @@ def obstacle_glb(points: np.ndarray, triangles: np.ndarray, edges: np.ndarray) -
         factor=palette(PLAIN)[1],
         edge_colour=_EDGES,
         opacity=_OPACITY,
+        take=take,
     )
 
 

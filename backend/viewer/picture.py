@@ -1,5 +1,6 @@
 """From a film to bodies that can be sent: coloured GLB frames in mm, and their legend."""
 
+import secrets
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,10 +62,11 @@ def picture(film: Film, colour: Colour, *, undeformed: bool) -> Picture:
     colours = vertex_colours(map_name, position, normals)
     factor = palette(map_name)[1]
     points = (film.points * 1e3).astype(np.float32)
+    take = secrets.token_hex(6)
     frames = [
         coloured_body(
             points[k], film.skin.triangles, colours[k], film.skin.edges, factor=factor,
-            edge_colour=_EDGES,
+            edge_colour=_EDGES, take=take,
         )
         for k in range(len(points))
     ]  # fmt: skip
@@ -75,10 +77,11 @@ def picture(film: Film, colour: Colour, *, undeformed: bool) -> Picture:
         high[axis] = max(high[axis], points[..., axis].max())
     root = undeformed_points[undeformed_points[:, 0] < undeformed_points[:, 0].min() + 0.1]
     box = np.stack([low, high]).astype(float)
-    obstacles, box = _obstacles(film, undeformed_points, box)
+    obstacles, box = _obstacles(film, undeformed_points, box, take)
     bodies = Bodies(
+        take=take,
         frames=frames,
-        undeformed=_ghost(film.ghost) if undeformed else None,
+        undeformed=_ghost(film.ghost, take) if undeformed else None,
         obstacles=obstacles,
         box=box,
         clamp=np.stack([root[:, 1:].min(axis=0), root[:, 1:].max(axis=0)]),
@@ -90,7 +93,7 @@ def picture(film: Film, colour: Colour, *, undeformed: bool) -> Picture:
 
 
 def _obstacles(
-    film: Film, undeformed: np.ndarray, box: np.ndarray
+    film: Film, undeformed: np.ndarray, box: np.ndarray, take: str
 ) -> tuple[list[bytes], np.ndarray]:
     """GLBs of the scene's obstacles, and the box (2, 3) [mm] that holds them as well."""
     meshes = []
@@ -100,7 +103,7 @@ def _obstacles(
         meshes.append(cylinder_mesh(film.cylinder, box))
     for points, _, _ in meshes:
         box = np.stack([np.minimum(box[0], points.min(0)), np.maximum(box[1], points.max(0))])
-    return [obstacle_glb(*mesh) for mesh in meshes], box
+    return [obstacle_glb(*mesh, take=take) for mesh in meshes], box
 
 
 def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
@@ -129,7 +132,7 @@ def _position(film: Film, colour: Colour) -> tuple[np.ndarray, Legend | None]:
     return np.clip((values - lower) / (upper - lower), 0.0, 1.0), legend
 
 
-def _ghost(body: Skin) -> bytes:
+def _ghost(body: Skin, take: str) -> bytes:
     colours = vertex_colours(PLAIN, np.zeros(len(body.points)), np.zeros_like(body.points))
     inset = _GHOST_INSET_MM * body.normals(body.points[None])[0]
     return coloured_body(
@@ -140,4 +143,5 @@ def _ghost(body: Skin) -> bytes:
         factor=palette(PLAIN)[1],
         edge_colour=_GHOST_EDGES,
         opacity=_GHOST_OPACITY,
+        take=take,
     )

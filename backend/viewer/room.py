@@ -10,16 +10,17 @@ import viser
 from backend.viewer import stage
 from backend.viewer.viser_door import GuardedServer
 
-SETTLE_S = 0.15
-"""Time given to pages to load new bodies, unseen, before they replace the old ones."""
-SOONEST_S = 0.08
-"""Bodies that have waited this long are shown when newer ones arrive: a slider in motion moves."""
+LATEST_S = 20.0
+"""New bodies replace the old ones after this time though a page has not said that it has loaded
+them: one that cannot must not keep the others waiting."""
 
 
 @dataclass(eq=False)
 class _Take:
     """The bodies of one content: a node per frame, and the undeformed body."""
 
+    name: str
+    bodies: int
     parent: viser.FrameHandle
     frames: list[viser.GlbHandle]
     shown: int
@@ -30,9 +31,10 @@ class _Take:
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """What to show: GLBs in mm, one per frame and one per obstacle, and the box around all of them
-    (2, 3) [mm]."""
+    """What to show: GLBs in mm, one per frame and one per obstacle, each with the name ``take`` in
+    its extras, and the box around all of them (2, 3) [mm]."""
 
+    take: str
     frames: list[bytes]
     undeformed: bytes | None
     obstacles: list[bytes]
@@ -54,8 +56,9 @@ class Room:
         self._lock = threading.Lock()
         self._take: _Take | None = None
         self._waiting: _Take | None = None
+        self._loaded_by: set[str] = set()
+        self._next: tuple[Bodies, int] | None = None
         self._timer: threading.Timer | None = None
-        self._sent_at = 0.0
         self._serial = 0
         self._tickets = 0
         self._newest = 0
@@ -69,23 +72,28 @@ class Room:
 
     def show(self, bodies: Bodies, frame: int, ticket: int) -> None:
         """Replace the content without a gap: new bodies are sent hidden, and take the old ones'
-        place when pages have had time to load them."""
+        place when every page says that it has loaded them. Content that comes meanwhile is sent
+        after that; of several only the newest."""
         with self._lock:
             if ticket < self._newest:
                 return
             self._newest = ticket
-            self._settle_waiting()
-            self._serial += 1
-            with self.guarded.server.atomic():
-                take = self._send(bodies, frame, visible=self._take is None)
-                self._stage.fit(bodies.box, bodies.clamp)
             if self._take is None:
-                self._take = take
+                self._take = self._send(bodies, frame, visible=True)
                 return
-            self._waiting, self._sent_at = take, time.monotonic()
-            self._timer = threading.Timer(SETTLE_S, self._when_settled, args=[take])
-            self._timer.daemon = True
-            self._timer.start()
+            self._next = (bodies, frame)
+            if self._waiting is None:
+                self._send_next()
+
+    def loaded(self, take: str, bodies: int, page: str) -> None:
+        """A page has loaded so many bodies of a take."""
+        with self._lock:
+            waiting = self._waiting
+            if waiting is None or take != waiting.name or bodies < waiting.bodies:
+                return
+            self._loaded_by.add(page)
+            if len(self._loaded_by) >= self.guarded.connections:
+                self._swap()
 
     def show_frame(self, index: int) -> None:
         """Toggle two nodes; 0.1 kB to the page."""
@@ -99,6 +107,9 @@ class Room:
                         take.frames[index_there].visible = True
                         take.frames[take.shown].visible = False
                     take.shown = index_there
+            if self._next is not None:
+                bodies, _ = self._next
+                self._next = bodies, min(index, len(bodies.frames) - 1)
 
     def set_dark(self, dark: bool) -> None:
         """Light or dark surroundings."""
@@ -116,46 +127,54 @@ class Room:
         with self._lock:
             if self._timer is not None:
                 self._timer.cancel()
-            self._waiting = self._take = None
+            self._waiting = self._take = self._next = None
         self.guarded.stop()
 
     def _send(self, bodies: Bodies, frame: int, *, visible: bool) -> _Take:
         scene = self.guarded.server.scene
-        parent = scene.add_frame(f"/take{self._serial}", show_axes=False, visible=visible)
-        # the frame to be seen comes first, so that pages load it first
-        order = sorted(range(len(bodies.frames)), key=lambda k: k != frame)
-        frames = {k: self._add(f"{parent.name}/frame{k}", bodies.frames[k]) for k in order}
-        for k in order[1:]:
-            frames[k].visible = False
-        if bodies.undeformed is not None:
-            self._add(f"{parent.name}/undeformed", bodies.undeformed)
-        for k, obstacle in enumerate(bodies.obstacles):
-            self._add(f"{parent.name}/obstacle{k}", obstacle)
-        return _Take(parent, [frames[k] for k in sorted(frames)], frame)
+        self._serial += 1
+        with self.guarded.server.atomic():
+            parent = scene.add_frame(f"/take{self._serial}", show_axes=False, visible=visible)
+            # the frame to be seen comes first, so that pages load it first
+            order = sorted(range(len(bodies.frames)), key=lambda k: k != frame)
+            frames = {k: self._add(f"{parent.name}/frame{k}", bodies.frames[k]) for k in order}
+            for k in order[1:]:
+                frames[k].visible = False
+            others = [] if bodies.undeformed is None else [bodies.undeformed]
+            others += bodies.obstacles
+            for k, body in enumerate(others):
+                self._add(f"{parent.name}/other{k}", body)
+            self._stage.fit(bodies.box, bodies.clamp)
+        count = len(frames) + len(others)
+        return _Take(bodies.take, count, parent, [frames[k] for k in sorted(frames)], frame)
 
     def _add(self, name: str, glb: bytes) -> viser.GlbHandle:
         scene = self.guarded.server.scene
         return scene.add_glb(name, glb, cast_shadow=False, receive_shadow=False)
 
-    def _when_settled(self, take: _Take) -> None:
-        with self._lock:
-            if self._waiting is take:  # else overtaken by newer content, or the room is closed
-                self._swap()
-
-    def _settle_waiting(self) -> None:
-        """Make room for newer content: show what waits, or drop it when it came just now."""
-        if self._timer is not None:
-            self._timer.cancel()
-        if self._waiting is None:
+    def _send_next(self) -> None:
+        """Send the newest content hidden; with no page to wait for it is shown at once."""
+        if self._next is None:
             return
-        if time.monotonic() - self._sent_at >= SOONEST_S:
+        bodies, frame = self._next
+        self._next = None
+        self._loaded_by = set()
+        take = self._waiting = self._send(bodies, frame, visible=False)
+        if self.guarded.connections == 0:
             self._swap()
             return
-        with self.guarded.server.atomic():
-            self._waiting.remove()
-        self._waiting = self._timer = None
+        self._timer = threading.Timer(LATEST_S, self._when_late, args=[take])
+        self._timer.daemon = True
+        self._timer.start()
+
+    def _when_late(self, take: _Take) -> None:
+        with self._lock:
+            if self._waiting is take:  # else shown meanwhile, or the room is closed
+                self._swap()
 
     def _swap(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
         old, self._take = self._take, self._waiting
         self._waiting = self._timer = None
         with self.guarded.server.atomic():
@@ -164,3 +183,4 @@ class Room:
             if old is not None:
                 old.remove()
         self.guarded.forget_removed()
+        self._send_next()

@@ -91,3 +91,11 @@ class AppearanceRequest(Body):
 
     dark: bool | None = None
     camera: Camera | None = None
+
+
+class LoadedBodies(Body):
+    """What a page of a view says about the bodies it was sent."""
+
+    take: str = Field(max_length=40, description="Which content they belong to")
+    bodies: int = Field(ge=0, le=1000, description="How many of them it has loaded")
+    page: str = Field(max_length=60, description="Tells pages of one view apart")

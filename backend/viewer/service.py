@@ -74,6 +74,13 @@ def show_frame(rooms: RoomKeeper, view_id: str, index: int, request: Request) ->
     _own(rooms, view_id, request).show_frame(index)
 
 
+def note_loaded(
+    rooms: RoomKeeper, view_id: str, take: str, bodies: int, page: str, request: Request
+) -> None:
+    """A page of the view has loaded so many bodies of a take."""
+    _own(rooms, view_id, request).loaded(take, bodies, page)
+
+
 def set_appearance(
     rooms: RoomKeeper, view_id: str, body: AppearanceRequest, request: Request
 ) -> None:
