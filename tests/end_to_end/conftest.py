@@ -20,9 +20,10 @@ PATIENCE_MS = 30_000
 expect.set_options(timeout=PATIENCE_MS)
 
 
-@pytest.fixture
-def studio(tmp_path: Path) -> Generator[Run]:
-    run = Run(tmp_path / "studio", "--port", "8791")
+@pytest.fixture(scope="session")
+def studio(tmp_path_factory: pytest.TempPathFactory) -> Generator[Run]:
+    """One for all: a page has its own bench, and what others saved only stands in the history."""
+    run = Run(tmp_path_factory.mktemp("studio") / "studio", "--port", "8791")
     run.address()
     yield run
     run.process.send_signal(signal.SIGINT)
@@ -42,8 +43,14 @@ def page(browser: Browser) -> Generator[Page]:
 
 def picture(page: Page, name: str) -> None:
     """Keep a screenshot where people look for it."""
+    expect(page.get_by_test_id("viewer-stage").get_by_label("Updating")).to_have_count(0)
     PICTURES.mkdir(exist_ok=True)
     page.screenshot(path=PICTURES / f"{name}.png")
+
+
+def jobs(page: Page) -> int:
+    """How many jobs the list holds."""
+    return page.locator("[data-testid^=job-]").count()
 
 
 def number(page: Page, name: str) -> float:

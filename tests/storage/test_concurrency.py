@@ -15,7 +15,7 @@ import sys, time
 from storage import open_store
 store = open_store(sys.argv[1])
 done = 0
-end = time.monotonic() + 2
+end = time.monotonic() + 1
 while time.monotonic() < end:
     store.worker_seen(sys.argv[2], "a" * 64)
     store.rename(sys.argv[3], f"{sys.argv[2]} {done}")

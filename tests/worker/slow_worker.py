@@ -48,7 +48,7 @@ def slow(
     for step in range(STEPS):
         if cancelled():
             return straight(design, scene, Outcome.CANCELLED, step)
-        time.sleep(0.05)
+        time.sleep(0.03)
         progress(Step((step + 1) / STEPS, f"step {step + 1}", scene.pressure_to * step / STEPS))
     return straight(design, scene, Outcome.CONVERGED, STEPS)
 

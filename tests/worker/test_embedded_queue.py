@@ -36,7 +36,7 @@ def test_a_job_is_computed_told_about_and_stored(running: Queue) -> None:
         if e.subject == job.id and e.data["state"] == "running"
     ]  # fmt: skip
     assert told == sorted(told)
-    assert len(told) > 4, "two seconds of work must show progress"
+    assert len(told) > 4, "more than a second of work must show progress"
 
 
 def test_doubled_messages_do_nothing(running: Queue) -> None:
@@ -92,7 +92,7 @@ def test_a_solver_that_raises_fails_the_job_with_a_reason(running: Queue) -> Non
 
 
 def test_a_spent_time_budget_keeps_the_part_that_was_found(running: Queue) -> None:
-    row = running.wait(running.ask(10, budget_s=1.0))
+    row = running.wait(running.ask(10, budget_s=0.6))
     assert (row.state, row.outcome) == ("done", "budget_spent")
     assert row.advice is not None
     assert "time budget" in row.advice
