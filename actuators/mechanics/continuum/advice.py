@@ -6,8 +6,16 @@ import numpy as np
 
 from actuators.materials import Material
 from actuators.mechanics.continuum.path import Path
+from actuators.mechanics.continuum.unmodelled import CROSSED, MOUNTED
 from actuators.mechanics.response import Outcome, PathPoint
 from actuators.mechanics.scene import Scene
+
+WAYS_OUT = {
+    CROSSED: "Leave self-contact to the program, which then holds the walls apart.",
+    MOUNTED: "Ask for less pressure or volume, or take a shorter body: what holds the clamp is taken "
+    "to be as wide and high as the body, and to begin at its plane.",
+}
+"""What to do where a path ended at something that is not modelled."""
 
 
 def advice(
@@ -57,6 +65,8 @@ def _stalled(
         farthest = _farthest(points, scene.volume_to)
         reached = f"{farthest * 1e6:.4g} ml ({scene.volume_to * 1e6:.4g} ml were asked for)"
     suction = (scene.pressure_to or 0.0) < 0
+    if path.reason in WAYS_OUT:
+        return f"The path ends at {reached}: {path.reason}. {WAYS_OUT[path.reason]}"
     less = "less change of volume" if path.by_volume else "a lower pressure"
     other = (
         f"or choose a record that stiffens: the law of {' and '.join(unstable)} is stretched "

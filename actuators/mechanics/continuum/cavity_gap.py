@@ -1,5 +1,4 @@
-"""Whether walls of the cavity have run through each other: suction draws them together, and this
-version has contact on the outside only."""
+"""How far apart the walls of the cavity are: suction draws them together."""
 
 from collections.abc import Sequence
 
@@ -8,24 +7,37 @@ import numpy as np
 from actuators.mechanics.continuum.system import State
 from actuators.meshing import Faces, HexMesh
 
+FARTHEST = 1.0
+"""Distance at rest [body heights] beyond which walls are not held against each other: the two ends
+of a channel through the whole body turn against each other as it bends."""
 # faces x-, y-, z- number their nodes across, x+, y+, z+ along
 _TRANSPOSE = np.arange(9).reshape(3, 3).T.ravel()
 
 
+class CavityWalls:
+    """Walls of ``mesh`` that face each other across its cavity, or across the middle plane."""
+
+    def __init__(self, mesh: HexMesh) -> None:
+        self._nodes = mesh.nodes
+        self._side = _facing_their_mirror(mesh)
+        low, high = _facing_walls(mesh)
+        rest = _distances(mesh.nodes, low, high)
+        near = (rest < FARTHEST * float(np.ptp(mesh.nodes[:, 2]))).all(axis=1)
+        self._low, self._high, self._rest = low[near], high[near], rest[near]
+
+    def openness(self, displacement: np.ndarray) -> float:
+        """Smallest distance over that at rest, at most 1; below 0 where walls have run through each
+        other."""
+        now = self._nodes + displacement
+        open_by = now[self._side, 1] / self._nodes[self._side, 1]
+        across = _distances(now, self._low, self._high) / self._rest
+        return float(min(1.0, open_by.min(initial=1.0), across.min(initial=1.0)))
+
+
 def least_openness(mesh: HexMesh, states: Sequence[State]) -> np.ndarray:
-    """(k,) smallest distance between facing walls of the cavity over that at rest, at most 1;
-    below 0 where they have run through each other."""
-    low, high = _facing_walls(mesh)
-    side = _facing_their_mirror(mesh)
-    share = np.ones(len(states))
-    for row, state in enumerate(states):
-        now = mesh.nodes + state.displacement
-        open_by = [now[side, 1] / mesh.nodes[side, 1]]
-        if len(low):
-            rest = _distances(mesh.nodes, low, high)
-            open_by.append((_distances(now, low, high) / rest).ravel())
-        share[row] = min([1.0, *(float(part.min()) for part in open_by if len(part))])
-    return share
+    """(k,) :meth:`CavityWalls.openness` of every state."""
+    walls = CavityWalls(mesh)
+    return np.array([walls.openness(state.displacement) for state in states])
 
 
 def _facing_their_mirror(mesh: HexMesh) -> np.ndarray:

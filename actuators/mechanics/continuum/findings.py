@@ -56,8 +56,8 @@ def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[st
     first = points[int(closed[0])]
     return [
         f"Walls of the cavity run through each other from {first.pressure / 1e3:.3g} kPa "
-        f"({1e6 * (first.cavity_volume or 0.0):.3g} ml) on: this version has no contact inside the "
-        "cavity, and from there on the result is not physical."
+        f"({1e6 * (first.cavity_volume or 0.0):.3g} ml) on: there is no contact inside the "
+        "cavity here, and from there on the result is not physical."
     ]
 
 

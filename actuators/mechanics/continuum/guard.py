@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from actuators.mechanics.continuum.cavity_gap import CavityWalls
 from actuators.mechanics.continuum.contact.surface import ONSET
 from actuators.mechanics.continuum.facing_walls import FacingWalls
 from actuators.mechanics.continuum.newton import Equilibrium
@@ -45,7 +46,9 @@ class Guard:
         self._least = ONSETS * ONSET * size
         width, height = np.ptp(mesh.nodes[:, 1:], axis=0)
         self._thickness = max(float(width) * (2.0 if mesh.is_half else 1.0), float(height))
-        self._walls = FacingWalls(mesh) if "self_contact" in self._watched else None
+        watches = "self_contact" in self._watched
+        self._walls = FacingWalls(mesh) if watches else None
+        self._cavity = CavityWalls(mesh) if watches else None
         self.alarm: Alarm | None = None
         self.at: Equilibrium | None = None
         self.before: list[Equilibrium] = []
@@ -74,6 +77,10 @@ class Guard:
             if (left < STILL_OPEN * self._walls.at_rest + self._least).any():
                 share = float((left / self._walls.at_rest).min())
                 return f"neighbouring walls had closed {1 - share:.0%} of the gap between them"
+        if self._cavity is not None:
+            share = self._cavity.openness(state.displacement)
+            if share < STILL_OPEN:
+                return f"walls of the cavity had closed {1 - share:.0%} of the way between them"
         line = self._mesh.underside_line
         clearance = self_clearance(
             self._mesh.nodes[line] + state.displacement[line], self._thickness

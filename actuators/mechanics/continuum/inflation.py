@@ -101,6 +101,8 @@ def _by_volume(
                 _close_in(tracer, walk.trail, sign, visited)
             elif not tracer.stopped():
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
+            elif tracer.barred and not keep:
+                visited.append(walk.trail[-1])  # how far it came
             return None
         if sign * (result.pressure - last.pressure) <= 0:
             _end_at_limit(tracer, walk.trail, sign, visited)

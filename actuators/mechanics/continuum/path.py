@@ -48,6 +48,7 @@ class PathFollower:
         path.points = [start]
         if path.loads == 1.0:
             self._seen(start)
+        if path.loads == 1.0 and not self._tracer.ends_at(start):
             path.points += self._continue([start], start, goal)
         return path
 

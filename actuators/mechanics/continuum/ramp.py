@@ -14,7 +14,7 @@ SMALLEST_OF_FIRST = 1 / 16
 def apply_loads(tracer: Tracer) -> Equilibrium:
     """State under its loads at zero pressure, in shares small enough to turn by. Where the whole of
     them cannot be put on, the last state found, at worst the undeformed one: the path's ``loads``
-    says under what share of them it is, its outcome why."""
+    says under what share of them it is, its outcome why. On the way everything is passable."""
     rest = tracer.system.rest()
     volume, _ = tracer.system.volume(rest)
     found = Equilibrium(rest, 0.0, volume, 0, None)
@@ -28,7 +28,7 @@ def apply_loads(tracer: Tracer) -> Equilibrium:
         if len(states) > 1:
             (earlier, before), (_, last) = states[-2:]
             start = tracer.system.onward(before, last, (share - done) / (done - earlier))
-        result = tracer.solve(start, Target(0.0, loads=share))
+        result = tracer.solve(start, Target(0.0, loads=share), passable=True)
         if isinstance(result, Equilibrium):
             if share == 1.0:
                 return result

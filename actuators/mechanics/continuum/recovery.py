@@ -8,6 +8,7 @@ import numpy as np
 from actuators.design.base import Design
 from actuators.mechanics.continuum.advice import advice, unstable_materials
 from actuators.mechanics.continuum.cavity_gap import least_openness
+from actuators.mechanics.continuum.contact.build import holds_cavity
 from actuators.mechanics.continuum.contact.effects import contact_findings
 from actuators.mechanics.continuum.contact.report import (
     ContactReport,
@@ -83,7 +84,8 @@ def recover(
     if states:
         notes += range_notes(system.materials, largest.max(axis=0))
         unstable = unstable_materials(system.materials, largest.max(axis=0))
-        notes += collapse_notes(points, least_openness(mesh, states))
+        if not holds_cavity(system.interactions):
+            notes += collapse_notes(points, least_openness(mesh, states))
     if note is not None:
         notes.append(note)
     notes += unseen_notes(system, answer.path.points)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from actuators.mechanics.continuum.contact.build import holds_cavity
 from actuators.mechanics.continuum.newton import (
     Equilibrium,
     Failure,
@@ -14,11 +15,14 @@ from actuators.mechanics.continuum.newton import (
 )
 from actuators.mechanics.continuum.prediction import predict_by_volume, summit_volume
 from actuators.mechanics.continuum.system import ContinuumSystem, State
+from actuators.mechanics.continuum.unmodelled import Unmodelled
 from actuators.mechanics.direct_solver import SymmetricSolver
 from actuators.mechanics.response import Outcome
 
 LARGEST_FIRST_MOVE = 0.1
 """Of the body's size, by a linear answer."""
+MOST_BARRED = 4
+"""States with something in their way that are refused, each after half the step before it."""
 MOST_SUMMIT_STEPS, SHARP_SUMMIT = 8, 1e-4
 """Until the pressure's maximum changes by less than this fraction."""
 
@@ -58,19 +62,46 @@ class Tracer:
         self._tolerance, self._stop = tolerance, stop
         self.path = Path()
         self.told: Callable[[Equilibrium], None] = lambda found: None
+        held = holds_cavity(system.interactions)
+        self._unmodelled = Unmodelled(system.mesh, cavity_held=held)
+        self._barred: str | None = None
+        self._times_barred = 0
 
-    def solve(self, start: State, target: Target) -> Equilibrium | Failure:
-        """Equilibrium near ``start``; its iterations are counted."""
+    def solve(
+        self, start: State, target: Target, *, passable: bool = False
+    ) -> Equilibrium | Failure:
+        """Equilibrium near ``start``; its iterations are counted. One that something not modelled
+        is in the way of counts as none, unless everything is ``passable``; the path ends before it,
+        after some smaller steps."""
         result = solve_equilibrium(
             self.system, self.solver, start, target, tolerance=self._tolerance,
             cancelled=lambda: self._stop() is not None,
         )  # fmt: skip
         self.path.iterations += result.iterations
+        if isinstance(result, Equilibrium) and not passable:
+            why = self._unmodelled.why(result.state)
+            if why is not None:
+                self._barred = why
+                self._times_barred += 1
+                return Failure(why, result.iterations)
         return result
+
+    def ends_at(self, found: Equilibrium) -> bool:
+        """Whether something not modelled is in the way of ``found`` already, the path's first."""
+        self._barred = self._unmodelled.why(found.state)
+        self._times_barred = MOST_BARRED if self._barred is not None else 0
+        return self.barred and self.stopped()
+
+    @property
+    def barred(self) -> bool:
+        """Whether the path ends because something that is not modelled is in its way."""
+        return self._times_barred >= MOST_BARRED
 
     def stopped(self) -> bool:
         """Whether to stop; the reason becomes the path's outcome."""
         why = self._stop()
+        if why is None and self.barred:
+            why, self.path.reason = Outcome.STALLED, self._barred or ""
         if why is not None:
             self.path.outcome = why
         return why is not None

@@ -10,7 +10,7 @@ from actuators.materials import Material
 from actuators.mechanics.continuum.contact.interaction import Interaction
 from actuators.mechanics.continuum.contact.obstacle import Obstacle
 from actuators.mechanics.continuum.contact.self_contact import SelfContact
-from actuators.mechanics.continuum.contact.surface import contact_law, outside
+from actuators.mechanics.continuum.contact.surface import contact_law, inside, outside
 from actuators.mechanics.obstacles import Cylinder
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
@@ -22,7 +22,8 @@ CONCENTRATED = 6.0
 def interactions(
     mesh: HexMesh, materials: Sequence[Material], scene: Scene
 ) -> tuple[Interaction, ...]:
-    """Plate, cylinder, and the body against itself unless that is switched off."""
+    """Plate, cylinder, and the body against itself, outside and in the cavity, unless that is
+    switched off."""
     surface = outside(mesh)
     law = contact_law(mesh, materials, _expected_pressure(mesh, materials, scene))
     obstacles = [
@@ -35,7 +36,15 @@ def interactions(
     if scene.self_contact == "off":
         return tuple(obstacles)
     height = float(np.ptp(mesh.nodes[:, 2]))
-    return (*obstacles, SelfContact(surface, law, height))
+    outer = SelfContact(surface, law, height)
+    if not len(mesh.cavity_faces.nodes):
+        return (*obstacles, outer)
+    return (*obstacles, SelfContact(inside(mesh), law, height, within=True), outer)
+
+
+def holds_cavity(contacts: Sequence[Interaction]) -> bool:
+    """Whether walls of the cavity press on each other where they meet."""
+    return any(isinstance(each, SelfContact) and each.within for each in contacts)
 
 
 def _expected_pressure(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> float:

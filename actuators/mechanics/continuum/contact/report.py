@@ -51,11 +51,12 @@ def contact_report(system: ContinuumSystem, points: Sequence[Equilibrium]) -> Co
         if isinstance(interaction, Obstacle):
             found[type(interaction.obstacle)] = _obstacle(system, points, interaction, halves)
         elif isinstance(interaction, SelfContact):
-            found[SelfContact] = Touching(
-                np.zeros(len(points)),
-                _along(system, points, interaction.largest_pressure),
-                _deepest(system, points, interaction),
-            )
+            pressure = _along(system, points, interaction.largest_pressure)
+            depth = _deepest(system, points, interaction)
+            if SelfContact in found:  # of the cavity's walls, and of the outside
+                pressure = np.maximum(pressure, found[SelfContact].pressure)
+                depth = max(depth, found[SelfContact].depth)
+            found[SelfContact] = Touching(np.zeros(len(points)), pressure, depth)
     return ContactReport(found.get(Plate), found.get(Cylinder), found.get(SelfContact))
 
 

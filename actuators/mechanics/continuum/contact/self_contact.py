@@ -32,9 +32,13 @@ _NO_VALUES = np.empty(0)
 
 
 class SelfContact:
-    """Contact of ``surface`` with itself. ``height`` of the undeformed body [m]."""
+    """Contact of ``surface`` with itself. ``height`` of the undeformed body [m]; ``within``: the
+    surface is the cavity's."""
 
-    def __init__(self, surface: ContactSurface, law: ContactLaw, height: float) -> None:
+    def __init__(
+        self, surface: ContactSurface, law: ContactLaw, height: float, *, within: bool = False
+    ) -> None:
+        self.within = within
         self._surface, self._law = surface, law
         size = float(np.ptp(surface.nodes, axis=0).max())
         self._reach, self._skin, self._depth = REACH * size, SKIN * size, DEPTH * height

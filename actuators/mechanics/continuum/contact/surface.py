@@ -73,3 +73,9 @@ def outside(mesh: HexMesh) -> ContactSurface:
     faces = mesh.outer_faces.nodes
     faces = np.ascontiguousarray(faces[~clamp[faces].all(axis=1)], dtype=np.int64)
     return ContactSurface(mesh.nodes, faces, face_areas(mesh.nodes, faces))
+
+
+def inside(mesh: HexMesh) -> ContactSurface:
+    """The walls of the cavity."""
+    faces = np.ascontiguousarray(mesh.cavity_faces.nodes, dtype=np.int64)
+    return ContactSurface(mesh.nodes, faces, face_areas(mesh.nodes, faces))

@@ -1,0 +1,43 @@
+"""States that equilibrium allows and a real actuator does not, because something is in the way that
+no contact of the model holds up: the walls of the cavity where they have no contact with each
+other, and the mount behind the clamp."""
+
+import numpy as np
+
+from actuators.mechanics.continuum.cavity_gap import CavityWalls
+from actuators.mechanics.continuum.system import State
+from actuators.meshing import HexMesh
+
+CROSSED = "walls of the cavity run through each other, and there is no contact inside it here"
+MOUNTED = "the body has curled round into its own mount, behind the clamp"
+BEHIND = 0.02
+"""How far behind the clamp's plane the body must be [its height], ..."""
+WELL_INSIDE = 0.05
+"""... and how far inside the edges of its clamped section [widths and heights], to be in the mount:
+next to the clamp it bulges."""
+
+
+class Unmodelled:
+    """Looks at states of ``mesh``; a few differences of positions each. ``cavity_held``: whether
+    walls of the cavity are in contact where they meet."""
+
+    def __init__(self, mesh: HexMesh, *, cavity_held: bool) -> None:
+        self._mesh = mesh
+        self._walls = None if cavity_held else CavityWalls(mesh)
+        self._outside = np.setdiff1d(np.unique(mesh.outer_faces.nodes), mesh.clamp_nodes)
+        section = mesh.nodes[mesh.clamp_nodes][:, 1:]
+        low, high = section.min(axis=0, initial=np.inf), section.max(axis=0, initial=-np.inf)
+        inset = WELL_INSIDE * (high - low)
+        self._low, self._high = low + inset, high - inset
+        if mesh.is_half:
+            self._low[0] = -self._high[0]
+        self._behind = BEHIND * float(np.ptp(mesh.nodes[:, 2]))
+
+    def why(self, state: State) -> str | None:
+        """What is in the way of ``state``, None where nothing is."""
+        if self._walls is not None and self._walls.openness(state.displacement) < 0.0:
+            return CROSSED
+        now = self._mesh.nodes[self._outside] + state.displacement[self._outside]
+        behind = now[now[:, 0] < -self._behind, 1:]
+        inside = ((behind > self._low) & (behind < self._high)).all(axis=1)
+        return MOUNTED if inside.any() else None
