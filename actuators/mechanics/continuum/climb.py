@@ -7,6 +7,7 @@ from actuators.mechanics.continuum.estimates import JUDGED, change, estimates, m
 from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.level import Level, condensed_size, open_level
 from actuators.mechanics.continuum.levels import Layers
+from actuators.mechanics.continuum.memory import memory_needed
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.progress import Monitor
 from actuators.mechanics.continuum.recovery import Answer
@@ -14,6 +15,7 @@ from actuators.mechanics.continuum.refinement import Anchor, Refinement, shared_
 from actuators.mechanics.response import Outcome
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh, mesh_body
+from actuators.meshing.counting import condensed_unknowns
 
 MOST_UNKNOWNS = 400_000
 """Largest system this version factorises (322,000 unknowns of an oblique half took 4 GB)."""
@@ -48,10 +50,11 @@ class Climb:
         measured = measure(before.system, before.found, limit)
         best: tuple[Refinement, Anchor, Path | None] | None = None
         for number, layers in enumerate(self._ladder):
-            mesh = mesh_body(self._body, layers=layers)
-            if condensed_size(mesh) > MOST_UNKNOWNS:
-                answer.too_large = condensed_size(mesh)
+            size = condensed_unknowns(self._body, layers)
+            if size > MOST_UNKNOWNS or memory_needed(size) > self._monitor.room():
+                answer.too_large = size
                 break
+            mesh = mesh_body(self._body, layers=layers)
             refinement = self._refinement(number, mesh, coarse, path, shared)
             anchor = refinement.anchor(before)
             if refinement.shared < shared:

@@ -23,8 +23,9 @@ from actuators.mechanics.continuum.estimates import (
     measure,
 )
 from actuators.mechanics.continuum.goal import Goal
-from actuators.mechanics.continuum.level import Level, condensed_size, open_level
+from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.levels import Layers
+from actuators.mechanics.continuum.memory import memory_needed, refuse_what_does_not_fit
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.progress import Monitor
@@ -34,6 +35,7 @@ from actuators.mechanics.continuum.system import State
 from actuators.mechanics.effects.forecast import STRAIN_SHARE
 from actuators.mechanics.scene import Scene
 from actuators.meshing import mesh_body
+from actuators.meshing.counting import condensed_unknowns
 
 STEPS = 5
 """Equal steps reported where the scene leaves the choice open."""
@@ -62,11 +64,14 @@ def solve_linear(
     found: LinearSolution | None = None
     too_large: int | None = None
     for number, layers in enumerate(meshes):
-        mesh = mesh_body(body, layers=layers)
-        if found is not None and condensed_size(mesh) > MOST_UNKNOWNS:
-            too_large = condensed_size(mesh)
+        size = condensed_unknowns(body, layers)
+        if found is None:
+            refuse_what_does_not_fit(size, monitor.room())
+        elif size > MOST_UNKNOWNS or memory_needed(size) > monitor.room():
+            too_large = size
             break
-        monitor.report(0.9 * number / len(meshes), f"linear, {condensed_size(mesh)} unknowns")
+        mesh = mesh_body(body, layers=layers)
+        monitor.report(0.9 * number / len(meshes), f"linear, {size} unknowns")
         level = open_level(mesh, scene)
         path = _superposed(level, goal)
         measured = measure(level.system, path.points[-1])

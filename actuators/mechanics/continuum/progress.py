@@ -1,14 +1,11 @@
 """What a running computation tells its caller, and how the caller stops it."""
 
-import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
+from actuators.mechanics.continuum.memory import memory_free, memory_in_use
 from actuators.mechanics.response import Outcome
-
-_MEMORY_IN_USE = Path("/proc/self/statm")
 
 
 @dataclass(frozen=True)
@@ -24,7 +21,8 @@ class Progress:
 class Budget:
     """What a computation may take: wall ``seconds``; ``iterations``, a factorisation each;
     ``memory`` [bytes] of the whole process, looked at where the system tells it (Linux). None: as
-    much as it takes. Looked at between iterations: the last one is always finished."""
+    much as it takes, of memory as the machine has. Looked at between iterations: the last one is
+    always finished; of memory besides before a mesh is made, see :meth:`Monitor.room`."""
 
     seconds: float | None = None
     iterations: int | None = None
@@ -71,16 +69,14 @@ class Monitor:
             return True
         return budget.seconds is not None and self.elapsed > budget.seconds
 
+    def room(self) -> float:
+        """Memory [bytes] that may still be taken: what the budget leaves, and the machine has."""
+        free = memory_free()
+        if self._budget.memory is not None:
+            free = min(free, self._budget.memory - memory_in_use())
+        return free
+
     @property
     def elapsed(self) -> float:
         """Seconds since the start."""
         return time.perf_counter() - self._start
-
-
-def memory_in_use() -> float:
-    """Memory of this process that is in use now [bytes]; 0 where the system does not tell."""
-    try:
-        pages = int(_MEMORY_IN_USE.read_text().split()[1])
-    except (OSError, ValueError, IndexError):
-        return 0.0
-    return float(pages * os.sysconf("SC_PAGE_SIZE"))

@@ -13,6 +13,7 @@ from actuators.mechanics.continuum.guard import Guard
 from actuators.mechanics.continuum.law_check import law_difference
 from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.levels import Layers
+from actuators.mechanics.continuum.memory import refuse_what_does_not_fit
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor
@@ -21,6 +22,7 @@ from actuators.mechanics.effects import EffectPlan
 from actuators.mechanics.effects.words import percent
 from actuators.mechanics.response import Outcome
 from actuators.meshing import HexMesh, mesh_body
+from actuators.meshing.counting import condensed_unknowns
 
 WATCHED = ("self_contact", "plate_contact", "cylinder_contact")
 
@@ -36,6 +38,7 @@ class WatchedRun:
 
     def answer(self, layers: Layers, ladder: Sequence[Layers], accuracy: float) -> Answer:
         """The path on the mesh of ``layers``, carried up the ``ladder`` to ``accuracy``."""
+        refuse_what_does_not_fit(condensed_unknowns(self._body, layers), self._monitor.room())
         mesh = mesh_body(self._body, layers=layers)
         level, path = self._path(mesh)
         if self._left_law_behind(level, path):
