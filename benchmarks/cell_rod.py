@@ -21,6 +21,7 @@ from actuators.mechanics.cell.cache import forget_cells
 from actuators.mechanics.cell.inflated_cache import forget_paths
 from actuators.mechanics.cell_rod.cells import forget_shear_and_bending
 from actuators.mechanics.cell_rod.grip import forget_grips
+from actuators.mechanics.cell_rod.root import forget_roots
 from actuators.mechanics.predict import predict
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
@@ -141,7 +142,8 @@ def _question(name: str, weight: float = 9.81, rung: str = "cell-rod") -> Callab
 
 
 def _forget() -> None:
-    for forget in (forget_cells, forget_paths, forget_shear_and_bending, forget_grips):
+    for forget in (forget_cells, forget_paths, forget_shear_and_bending, forget_grips,
+                   forget_roots):  # fmt: skip
         forget()
 
 

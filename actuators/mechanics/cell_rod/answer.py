@@ -13,10 +13,10 @@ from actuators.design import Design
 from actuators.geometry.volumes import exact_volumes
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.row import ChamberRow, chamber_row
-from actuators.mechanics.cell_rod.cells import row_bending, row_paths, row_shear
-from actuators.mechanics.cell_rod.chambers import Chambers, inflated, reached
+from actuators.mechanics.cell_rod.cells import row_apart, row_bending, row_paths, row_shear
+from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, reached
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
-from actuators.mechanics.cell_rod.held import hold, shifted
+from actuators.mechanics.cell_rod.held import give, hold, shifted
 from actuators.mechanics.cell_rod.report import (
     advice_of,
     cell_rod_effects,
@@ -24,6 +24,7 @@ from actuators.mechanics.cell_rod.report import (
     estimate,
     trusted_to,
 )  # fmt: skip
+from actuators.mechanics.cell_rod.root import Root, root_of
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.rod.answer import centreline, path_points
 from actuators.mechanics.rod.follow import Laws, LoadedPath, follow_laws
@@ -57,14 +58,20 @@ class Question:
     shear: np.ndarray
     bent: np.ndarray
     grip: Grip | None
+    root: Root | None
+    apart: tuple[CellPath, ...] | None
 
     def solve(self, pressures: np.ndarray) -> Solved:
         """Rod at every pressure (k,), as far as it finds equilibria."""
         layout = self.layout
         chambers = inflated(self.paths, self.weights, pressures)
         laws = piece_laws(layout, chambers, self.shear, self.bent)
+        if self.apart is not None and chambers.contact is not None:
+            laws = self._parted(laws, chambers, pressures)
         if self.grip is not None:
             hold(laws, layout, chambers, self.grip)
+        if self.root is not None:
+            give(laws, layout, chambers, self.root)
         moment = np.einsum("kab,kb->ka", laws.stiffness[-1], laws.free[-1])[:, 1:4]
         obstacles = obstacles_of(
             self.design, layout, self.scene, float(np.abs(moment).max(initial=0.0))
@@ -80,6 +87,19 @@ class Question:
         volume = exact_volumes(self.design).cavity + chambers.growth[:found].sum(axis=1)
         volume = volume + np.einsum("ksa,ksa,s->k", rate, bent, share)
         return Solved(pressures, path, chambers, volume)
+
+    def _parted(self, laws: Laws, chambers: Chambers, pressures: np.ndarray) -> Laws:
+        assert self.apart is not None
+        assert chambers.contact is not None
+        within = np.clip(np.abs(pressures), 0.0, abs(reached(self.apart, float(pressures[-1]))))
+        apart = inflated(self.apart, self.weights, np.sign(pressures[-1]) * within)
+        parted, release = parting(chambers, apart, chambers.contact > 0.0)
+        layout = self.layout
+        shape = (len(pressures), len(layout.length), 6)
+        wide, share = np.zeros(shape), np.zeros(shape)
+        wide[..., :4] = layout.free(parted)
+        share[..., :4] = np.where(layout.chambered[:, None], release[:, layout.chamber], 0.0)
+        return replace(laws, parted=wide, release=share)
 
 
 def piece_laws(layout: Layout, chambers: Chambers, shear: np.ndarray, bent: np.ndarray) -> Laws:
@@ -110,7 +130,8 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
     layout = layout_of(design, row)
     question = Question(
         design, scene, row, layout, paths, weights, _shear(layout, shears),
-        bent, grip_of(design),
+        bent, grip_of(design), root_of(design),
+        row_apart(design, paths) if _loaded(scene) else None,
     )  # fmt: skip
     solved, short = _to_the_end(question, scene, steps)
     ended = time.perf_counter()

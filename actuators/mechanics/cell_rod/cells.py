@@ -41,6 +41,19 @@ def row_paths(design: Design, scene: Scene) -> tuple[tuple[CellPath, ...], np.nd
     return _grown_by(cells, weights, growth, path), weights
 
 
+def row_apart(design: Design, paths: tuple[CellPath, ...]) -> tuple[CellPath, ...] | None:
+    """The same cells to where ``paths`` come, with walls that run through each other; None where
+    none meet. What loads do to walls that touch lies between the two."""
+    if not any(path.touching_from is not None for path in paths):
+        return None
+    cells, _ = row_cells(design)
+    return tuple(
+        path if path.touching_from is None
+        else cell_path(cell, float(path.pressure[-1]), contact=False)
+        for cell, path in zip(cells, paths, strict=True)
+    )  # fmt: skip
+
+
 def _grown_by(
     cells: list[Body], weights: np.ndarray, growth: float, path: Callable[[Body, float], CellPath]
 ) -> tuple[CellPath, ...]:

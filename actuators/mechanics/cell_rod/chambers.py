@@ -51,6 +51,28 @@ def inflated(paths: Sequence[CellPath], weights: np.ndarray, pressures: np.ndarr
     )
 
 
+def parting(
+    chambers: Chambers, apart: Chambers, pressed: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """What loads that part touching walls do away with, at the pressures that are ``pressed``
+    (k,): free strains (k, n, 4), and (k, n, 4) the resultants' share (see :mod:`..rod.chain`), 0
+    elsewhere. ``apart``: the same chambers, whose walls run through each other.
+
+    Walls that press on each other at one place with a force N give the strains a N; without N the
+    compliance is greater by a multiple of a a^T. Of the two found, bending and torsion say by
+    which.
+    """
+    parted = np.where(pressed[:, None, None], chambers.free - apart.free, 0.0)
+    softer = np.linalg.inv(apart.stiffness) - np.linalg.inv(chambers.stiffness)
+    turned = parted.copy()
+    turned[..., 0] = 0.0
+    size = (turned**2).sum(axis=-1)
+    along = np.einsum("kna,knab,knb->kn", turned, softer, turned)
+    real = (size > 0.0) & (along > 0.0)
+    factor = np.where(real, along, 0.0) / np.where(real, size, 1.0) ** 2
+    return np.where(real[..., None], parted, 0.0), factor[..., None] * parted
+
+
 def _monotone(path: CellPath) -> int:
     """Points up to the path's first turn of the pressure."""
     step = np.diff(path.pressure)

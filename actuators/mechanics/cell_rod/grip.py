@@ -1,16 +1,17 @@
 """What the clamp does to a wide body: one linear solve of the whole, compared with its own rod.
 
 Across the width the clamp forbids what bending does inside, and the chambers beside it answer
-less. In the linear body under an end moment M, an end force F or pressure, the line of the
-underside at the walls between chambers is that of the rod, with the cell's compliance C and free
-curvature, up to a shift and a turn, read off by least squares:
+less; a body that widens behind a narrow clamp is not borne by all of its width at once. In the
+linear body under a load spread over its underside, an end force or pressure, the line of the
+underside at the walls between chambers is that of the rod with the cells' compliance C and free
+curvature, up to a shift and a turn. Read off by least squares are,
 
-    end moment M     z = z_0 - theta_0 x - C M x^2/2,          theta_0 = a M
-    pressure         the same with its own curvature, theta_0 and z_0
+    spread load      theta_0 = a M at the clamp
+    pressure         theta_0 and z_0
 
-The turn a M is a length a/C by which the rod begins later (a < 0). The force's tip displacement
-exceeds C L^3/3 + a L^2 + C_s L (C_s: shear of the cell) by 2 b L: what the clamp turns by a force,
-and is shifted by a moment. All of it is geometry: nothing is fitted to a path or an experiment.
+The turn a M is a length a/C by which the rod begins later (a < 0). The end force's tip displacement
+exceeds that of the rod with this turn by 2 b L: what the clamp turns by a force, and is shifted by
+a moment. All of it is geometry: nothing is fitted to a path or an experiment.
 """
 
 from dataclasses import dataclass
@@ -21,9 +22,8 @@ import scipy.sparse as sp
 from actuators.design import Design, SlabDesign
 from actuators.geometry import build_body, build_cell
 from actuators.materials import material
-from actuators.mechanics.cell.cache import cell_response
 from actuators.mechanics.cell.kept import Kept
-from actuators.mechanics.cell.row import chamber_row, pitch_starts
+from actuators.mechanics.cell.row import ChamberRow, chamber_row, pitch_starts
 from actuators.mechanics.cell.shear import shear_compliance
 from actuators.mechanics.rod.pieces import layout_of
 
@@ -54,10 +54,7 @@ def grip_of(design: Design) -> Grip | None:
     there is nothing to gain."""
     if not isinstance(design, SlabDesign) or design.chamber_count < FEWEST:
         return None
-    # a tapered body's clamp is that of a straight one as wide as it is there
-    wide = 2 * float(design.half_width(0.0))
-    straight = design.model_copy(update={"planform": "rectangle", "width": wide})
-    return _grips.get(straight.digest, lambda: _solve(straight))
+    return _grips.get(design.digest, lambda: _solve(design))
 
 
 def forget_grips() -> None:
@@ -68,7 +65,8 @@ def forget_grips() -> None:
 def _solve(design: SlabDesign) -> Grip:
     # the 3D solver's kernels: only where an answer needs them
     from actuators.mechanics.continuum.assembly import linear_system
-    from actuators.mechanics.continuum.outer_loads import end_tractions
+    from actuators.mechanics.continuum.kernel.cavity import face_traction
+    from actuators.mechanics.continuum.outer_loads import end_tractions, underside_faces
     from actuators.mechanics.direct_solver import open_solver
     from actuators.meshing import mesh_body
 
@@ -83,8 +81,11 @@ def _solve(design: SlabDesign) -> Grip:
     matrix.sort_indices()
     solver = open_solver(matrix.indptr, matrix.indices)
     solver.factorize(matrix.data)
-    force, moment = (t[system.nodes].ravel() / 2 for t in end_tractions(mesh))
-    loads = np.stack([system.pressure_load, moment, force], axis=1)[free]
+    force = end_tractions(mesh)[0] / 2
+    spread = np.zeros_like(force)
+    face_traction(mesh.nodes, underside_faces(mesh), spread)
+    outer = [load[system.nodes].ravel() for load in (spread, force)]
+    loads = np.stack([system.pressure_load, *outer], axis=1)[free]
     motion = np.zeros((3 * len(mesh.nodes), 3))
     rows = (3 * system.nodes[:, None] + np.arange(3)).ravel()[free]
     motion[rows] = solver.solve(loads)
@@ -94,33 +95,59 @@ def _solve(design: SlabDesign) -> Grip:
 
 
 def _read(design: SlabDesign, x: np.ndarray, z: np.ndarray) -> Grip:
-    """From heights ``z`` (k, 3) of the underside's line at ``x`` (k,) under pressure 1 Pa, moment 1
-    (towards the underside) and force 1 (up)."""
-    body = build_cell(design, 0)
-    cell, materials = cell_response(body), tuple(material(r.material) for r in body.regions)
-    bent = float(np.linalg.inv(cell.stiffness)[BENDING, BENDING])
-    pressed = float(cell.free[BENDING])
-    # as coarse as the body's own mesh, whose shear is to be told from its clamp
-    sheared = shear_compliance(body, materials, graded=False)
+    """From heights ``z`` (k, 3) of the underside's line at ``x`` (k,) under pressure 1 Pa, a load
+    of 1 Pa spread over the underside (down) and force 1 at the end (up)."""
+    row = chamber_row(design)
+    bent = float(np.linalg.inv(row.stiffness[0])[BENDING, BENDING])
+    pressed = float(row.free[0, BENDING])
     walls = pitch_starts(design)[0][1:]
     inside = np.array([np.abs(x - wall).argmin() for wall in walls])
     length = design.length
-    (from_pressure, from_moment) = (
-        np.polyfit(x[inside], z[inside, load] + curvature * x[inside] ** 2 / 2, 1) / curvature
-        for load, curvature in ((0, pressed), (1, bent))
-    )
-    turn = float(-from_moment[0])
-    rod = bent * length**3 / 3 + turn * bent * length**2 + sheared * length
-    line = np.polyval(from_pressure, length) - length**2 / 2
-    layout = layout_of(design, chamber_row(design))
-    before = layout.stations[np.flatnonzero(layout.chamber == 0)[0]]
-    cut = (layout.whole - 1)[layout.chamber == 0] @ layout.length[layout.chamber == 0]
-    solid = layout.stations[:-1] < before - 1e-12
-    ends = np.linalg.inv(layout.solid[solid])[:, BENDING, BENDING] @ layout.length[solid]
+    own = _own_heights(design, row, np.append(x[inside], length))
+    beyond = z[np.append(inside, -1)] - own
+    stations = layout_of(design, row).stations
+    moment = _spread(design, stations)[1][0]
+    from_pressure = np.polyfit(x[inside], beyond[:-1, 0], 1) / pressed
+    turn = -np.polyfit(x[inside], beyond[:-1, 1], 1)[0] / (bent * moment)
     return Grip(
-        turn=turn - float(ends / bent - before + cut),
-        shift=float((z[-1, 2] - rod) / (2 * length) / bent),
-        pressed_turn=float(-from_pressure[0] + before - cut),
+        turn=float(turn),
+        shift=float((beyond[-1, 2] / bent - turn * length**2) / (2 * length)),
+        pressed_turn=float(-from_pressure[0]),
         pressed_shift=float(from_pressure[1]),
-        pressed_tip=float(z[-1, 0] / pressed - line),
+        pressed_tip=float(beyond[-1, 0] / pressed - np.polyval(from_pressure, length)),
     )
+
+
+def _own_heights(design: SlabDesign, row: ChamberRow, at: np.ndarray) -> np.ndarray:
+    """Heights (k, 3) of the rod with the cells' linear law at ``at`` (k,), under the same loads."""
+    layout = layout_of(design, row)
+    bent = np.linalg.inv(layout.stiffness(row.stiffness))[:, BENDING, BENDING]
+    begin, half = layout.stations[:-1], layout.length / 2
+    free = layout.free(row.free)[:, BENDING]
+    # a force up turns against the bending's sign
+    force, moment = (value for value in _spread(design, begin + half))
+    curvature = np.stack([free, bent * moment, -bent * (design.length - begin - half)], axis=-1)
+    turn = np.cumsum(curvature * layout.length[:, None], axis=0)
+    before = turn - curvature * layout.length[:, None]
+    fall = np.cumsum((before + curvature * half[:, None]) * layout.length[:, None], axis=0)
+    # as coarse as the body's own mesh, whose shear is to be told from its clamp
+    body = build_cell(design, 0)
+    materials = tuple(material(region.material) for region in body.regions)
+    middles = np.append(design.chamber_starts()[0] + design.chamber_length / 2, begin + half)
+    first, *width = np.asarray(design.half_width(middles)).tolist()
+    sheared = shear_compliance(body, materials, graded=False) * first / np.array(width)
+    fall[:, 1] += np.cumsum(sheared * force * layout.length)
+    fall[:, 2] -= np.cumsum(sheared * layout.length)
+    return -np.stack(
+        [np.interp(at, layout.stations, np.append(0.0, column)) for column in fall.T], axis=-1
+    )
+
+
+def _spread(design: SlabDesign, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Force [N] and moment [N m] at X1 = ``at`` (s,) of 1 Pa on the underside beyond."""
+    x = np.linspace(0.0, design.length, 2001)
+    width = 2 * np.asarray(design.half_width(x))
+    step = np.diff(x) * (width[1:] + width[:-1]) / 2
+    beyond = np.append(np.cumsum(step[::-1])[::-1], 0.0)
+    arm = np.append(np.cumsum(((beyond[1:] + beyond[:-1]) / 2 * np.diff(x))[::-1])[::-1], 0.0)
+    return np.interp(at, x, beyond), np.interp(at, x, arm)

@@ -1,4 +1,4 @@
-"""The clamp's grip (:mod:`.grip`) as part of a rod's laws and shape."""
+"""What clamped ends do (:mod:`.grip`, :mod:`.root`) as part of a rod's laws and shape."""
 
 from dataclasses import replace
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from actuators.mechanics.cell_rod.chambers import Chambers
 from actuators.mechanics.cell_rod.grip import Grip
+from actuators.mechanics.cell_rod.root import Root
 from actuators.mechanics.rod.follow import Laws, LoadedPath
 from actuators.mechanics.rod.pieces import Layout
 
@@ -23,6 +24,19 @@ def hold(laws: Laws, layout: Layout, chambers: Chambers, grip: Grip) -> None:
         own[:, a, b] -= grip.shift * inside / length
     laws.stiffness[:, 0] = np.linalg.inv(own)
     laws.free[:, 0, BENDING] += chambers.free[:, 0, BENDING] * grip.pressed_turn / length
+
+
+def give(laws: Laws, layout: Layout, chambers: Chambers, root: Root) -> None:
+    """Let the solid end turn by what it gives way to the first chamber."""
+    border = max(int(np.flatnonzero(layout.chambered)[0]) - 1, 0)
+    length = layout.length[border]
+    softer = np.linalg.inv(chambers.stiffness[:, 0])[:, BENDING, BENDING] / root.bent
+    own = np.linalg.inv(laws.stiffness[:, border])
+    own[:, 1:4, 1:4] += softer[:, None, None] * root.compliance / length
+    laws.stiffness[:, border] = np.linalg.inv(own)
+    inflated = chambers.free[:, 0, 1:4] @ root.free / max(root.free @ root.free, 1e-300)
+    pressed = np.outer(inflated, root.pressed)
+    laws.free[:, border, 1:4] += pressed / length
 
 
 def shifted(path: LoadedPath, chambers: Chambers, grip: Grip) -> LoadedPath:

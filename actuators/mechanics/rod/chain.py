@@ -6,6 +6,10 @@ law holds at one pressure. With d = e - e_free, g the column of D for bending ab
 the compliance of bending grows with the moment M (e_2 = C_22 M + c M^2/2 under a moment alone),
 
     S = D d - c M^2/2 g,      M + c D_22 M^2/2 = g . d.
+
+Where walls of neighbouring chambers press on each other without resultants, loads can part them:
+beyond the plane release . S = 1 the law goes on with the free strains e_free - parted and the
+compliance D^-1 + parted release^T, so that it is continuous.
 """
 
 from typing import NamedTuple
@@ -38,12 +42,16 @@ class Chain(NamedTuple):
 
 class Law(NamedTuple):
     """``free``: (s, 6) strains without resultants; ``stiffness``: D (s, 6, 6); ``compliance``: its
-    inverse, which measures what an equation lacks as a turn; ``bent``: c (s,)."""
+    inverse, which measures what an equation lacks as a turn; ``bent``: c (s,); ``parted``,
+    ``release``: (s, 6), 0 where there is nothing to part; ``apart``: D (s, 6, 6) beyond."""
 
     free: np.ndarray
     stiffness: np.ndarray
     compliance: np.ndarray
     bent: np.ndarray
+    parted: np.ndarray
+    release: np.ndarray
+    apart: np.ndarray
 
 
 class Obstacles(NamedTuple):

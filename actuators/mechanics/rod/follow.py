@@ -27,17 +27,27 @@ class LoadedPath(RodPath):
 class Laws:
     """Laws of s pieces at k pressures: ``free`` (k, s, 6) rod strains without resultants,
     ``stiffness`` (k, s, 6, 6) tangent resultants per strain, ``bent`` (k, s) growth of the bending
-    compliance with the moment; see :mod:`.chain`."""
+    compliance with the moment, ``parted`` and ``release`` (k, s, 6) of walls that loads can part,
+    None where there are none; see :mod:`.chain`."""
 
     free: np.ndarray
     stiffness: np.ndarray
     bent: np.ndarray
+    parted: np.ndarray | None = None
+    release: np.ndarray | None = None
 
     def at(self, n: int) -> Law:
         """The n-th, as the compiled code takes it."""
         stiffness = np.ascontiguousarray(self.stiffness[n])
         free, bent = np.ascontiguousarray(self.free[n]), np.ascontiguousarray(self.bent[n])
-        return Law(free, stiffness, np.linalg.inv(stiffness), bent)
+        compliance = np.linalg.inv(stiffness)
+        if self.parted is None or self.release is None:
+            none = np.zeros_like(free)
+            return Law(free, stiffness, compliance, bent, none, none, stiffness)
+        parted = np.ascontiguousarray(self.parted[n])
+        release = np.ascontiguousarray(self.release[n])
+        apart = np.linalg.inv(compliance + parted[:, :, None] * release[:, None, :])
+        return Law(free, stiffness, compliance, bent, parted, release, apart)
 
 
 def follow_laws(laws: Laws, chain: Chain, obstacles: Obstacles) -> LoadedPath:

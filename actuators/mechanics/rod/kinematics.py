@@ -53,29 +53,49 @@ def resultants(i: int, law: Law, strain: np.ndarray, d: np.ndarray, out: np.ndar
     """S of piece ``i`` into ``out`` (6,), its d into ``d`` (6,)."""
     for a in range(6):
         d[a] = strain[i, a] - law.free[i, a]
-    for a in range(6):
-        out[a] = 0.0
-        for b in range(6):
-            out[a] += law.stiffness[i, a, b] * d[b]
-    if law.bent[i] != 0.0:
-        moment = _moment(law.bent[i] * law.stiffness[i, BEND, BEND], out[BEND])
-        less = law.bent[i] * moment * moment / 2
+    _press(law.stiffness[i], law.bent[i], d, out)
+    if _are_parted(i, law, out):
         for a in range(6):
-            out[a] -= less * law.stiffness[i, a, BEND]
+            d[a] += law.parted[i, a]
+        _press(law.apart[i], law.bent[i], d, out)
 
 
 @nb.njit(cache=True)
-def tangent(i: int, law: Law, d: np.ndarray, out: np.ndarray) -> None:
-    """dS/de of piece ``i`` into ``out`` (6, 6)."""
+def _are_parted(i: int, law: Law, held: np.ndarray) -> bool:
+    beyond = 0.0
+    for a in range(6):
+        beyond += law.release[i, a] * held[a]
+    return beyond > 1.0
+
+
+@nb.njit(cache=True)
+def _press(stiffness: np.ndarray, bent: float, d: np.ndarray, out: np.ndarray) -> None:
+    for a in range(6):
+        out[a] = 0.0
+        for b in range(6):
+            out[a] += stiffness[a, b] * d[b]
+    if bent != 0.0:
+        moment = _moment(bent * stiffness[BEND, BEND], out[BEND])
+        less = bent * moment * moment / 2
+        for a in range(6):
+            out[a] -= less * stiffness[a, BEND]
+
+
+@nb.njit(cache=True)
+def tangent(i: int, law: Law, d: np.ndarray, held: np.ndarray, out: np.ndarray) -> None:
+    """dS/de of piece ``i`` into ``out`` (6, 6); ``d`` and ``held`` as :func:`resultants` leaves
+    them."""
+    # beyond the plane as on this side of it, S leaves no doubt on which it lies
+    stiffness = law.apart[i] if _are_parted(i, law, held) else law.stiffness[i]
     linear = 0.0
     for a in range(6):
-        linear += law.stiffness[i, BEND, a] * d[a]
+        linear += stiffness[BEND, a] * d[a]
         for b in range(6):
-            out[a, b] = law.stiffness[i, a, b]
+            out[a, b] = stiffness[a, b]
     if law.bent[i] != 0.0:
-        curved = law.bent[i] * law.stiffness[i, BEND, BEND]
+        curved = law.bent[i] * stiffness[BEND, BEND]
         moment = _moment(curved, linear)
         less = law.bent[i] * moment / (1 + curved * moment)
         for a in range(6):
             for b in range(6):
-                out[a, b] -= less * law.stiffness[i, a, BEND] * law.stiffness[i, BEND, b]
+                out[a, b] -= less * stiffness[a, BEND] * stiffness[BEND, b]

@@ -172,7 +172,7 @@ def correction(
         _carry(w, dd, wrench[i, 0], qe, qm)
         _add_half_load_slope(i, 1.0, strain[i, 0], rm, chain, qm, w)
         resultants(i, law, strain, deviation, held)
-        tangent(i, law, deviation, tangents)
+        tangent(i, law, deviation, held, tangents)
         _equations(i, tangents, rm, wrench[i, 1], qm, w, lack, matrix, right)
         if not _solve(matrix, right):
             return False

@@ -18,7 +18,7 @@ def test_a_path_answers_for_the_same_cell_to_the_same_end_only(
 
     asked: list[float] = []
 
-    def counted(*arguments: object, pressure_to: float) -> object:
+    def counted(*arguments: object, pressure_to: float, contact: bool) -> object:
         asked.append(pressure_to)
         return long
 

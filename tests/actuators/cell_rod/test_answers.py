@@ -31,10 +31,13 @@ def test_the_tip_is_within_three_percent_of_3d(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["oblique-90", "oblique-75", "printed-14", "bellows-11-2.4"])
-def test_gapped_bodies_are_within_four_percent_of_3d(name: str) -> None:
-    """Four: the obliques' 3D answers are asked for to 10 %."""
-    assert deviations(name, "cell-rod")[1][:, 0].max() < 4.0
+@pytest.mark.parametrize(
+    ("name", "most"), [("oblique-90", 3.3), ("oblique-75", 3.0), ("printed-14", 1.0),
+                       ("bellows-11-2.4", 1.0)]
+)  # fmt: skip
+def test_gapped_bodies_are_as_near_to_3d(name: str, most: float) -> None:
+    """As docs/cell_rod.md says, rounded up; the obliques' 3D answers are asked for to 10 %."""
+    assert deviations(name, "cell-rod")[1][:, 0].max() < most
 
 
 def test_every_quantity_of_the_path_is_there() -> None:
@@ -100,11 +103,12 @@ def test_a_plate_under_the_body_bears_part_of_its_weight() -> None:
 def test_walls_run_through_each_other_where_contact_is_switched_off() -> None:
     """And the answer says so, as that of finite elements does."""
     touching, apart = (
-        ask(Scene(15e3, steps=2, self_contact=how), "oblique-45") for how in ("auto", "off")
+        ask(Scene(13e3, steps=2, gravity=None, self_contact=how), "oblique-45")
+        for how in ("auto", "off")
     )
     assert (touching.path[-1].max_contact_pressure or 0.0) > 0.0
     assert apart.path[-1].max_contact_pressure is None
-    assert apart.path[-1].tip[2] < touching.path[-1].tip[2] - 1e-4
+    assert np.linalg.norm(np.subtract(apart.path[-1].tip, touching.path[-1].tip)) > 2e-4
     effect = next(effect for effect in apart.effects if effect.name == "self_contact")
     assert (effect.on, effect.forced) == (False, "off")
     assert any("left out by choice" in note for note in apart.notes)

@@ -151,7 +151,20 @@ def bent_law(growth: float) -> Law:
     rng = np.random.default_rng(3)
     root = rng.normal(size=(6, 6))
     stiffness = (root @ root.T + 6 * np.eye(6))[None]
-    return Law(np.zeros((1, 6)), stiffness, np.linalg.inv(stiffness), np.array([growth]))
+    none = np.zeros((1, 1, 6))
+    return Laws(none, stiffness[None], np.array([[growth]]), none, none).at(0)
+
+
+def parting_law(growth: float, away: float) -> Law:
+    """Walls that lie ``away`` times the resultants of a test's strain from parting."""
+    parted = np.array([0.002, 0.03, 0.02, 0.0, 0.0, 0.0])
+    whole = bent_law(growth)
+    release = parted * 5.0 / away
+    laws = Laws(
+        whole.free[None], whole.stiffness[None], whole.bent[None], parted[None, None],
+        release[None, None],
+    )  # fmt: skip
+    return laws.at(0)
 
 
 def test_a_moment_alone_bends_by_its_square_too() -> None:
@@ -164,8 +177,8 @@ def test_a_moment_alone_bends_by_its_square_too() -> None:
     np.testing.assert_allclose(held, moment * np.eye(6)[2], atol=1e-12)
 
 
-def test_the_laws_tangent_is_its_derivative() -> None:
-    law = bent_law(0.03)
+@pytest.mark.parametrize("law", [bent_law(0.03), parting_law(0.03, 0.05), parting_law(0.03, 50.0)])
+def test_the_laws_tangent_is_its_derivative(law: Law) -> None:
     strain = np.random.default_rng(4).normal(size=(1, 6)) * 0.1
     found, held, d = np.zeros((6, 6)), np.zeros((2, 6)), np.zeros(6)
     numeric = np.zeros((6, 6))
@@ -176,8 +189,27 @@ def test_the_laws_tangent_is_its_derivative() -> None:
             resultants(0, law, moved, d, held[n])
         numeric[:, a] = (held[0] - held[1]) / 2e-6
     resultants(0, law, strain, d, held[0])
-    tangent(0, law, d, found)
+    tangent(0, law, d, held[0], found)
     np.testing.assert_allclose(found, numeric, rtol=1e-6, atol=1e-7)
+
+
+def test_walls_part_without_a_jump() -> None:
+    """Towards the plane on which they come apart resultants are the same from both sides, and
+    beyond it the strains are those of the law without the walls."""
+    law = parting_law(0.03, 1.0)
+    direction = law.release[0] / np.linalg.norm(law.release[0]) ** 2
+    d, held = np.zeros(6), np.zeros((2, 6))
+    moment = direction[2]
+    strain = law.compliance[0] @ direction
+    strain[2] += 0.03 * moment**2 / 2
+    for n, side in enumerate((1 - 1e-9, 1 + 1e-9)):
+        resultants(0, law, (strain * side)[None], d, held[n])
+    np.testing.assert_allclose(held[0], held[1], rtol=1e-6, atol=1e-8)
+    np.testing.assert_allclose(held[0], direction, rtol=1e-6, atol=1e-8)
+    far = np.linalg.inv(law.apart[0]) @ (2 * direction) - law.parted[0]
+    far[2] += 0.03 * (2 * moment) ** 2 / 2
+    resultants(0, law, far[None], d, held[0])
+    np.testing.assert_allclose(held[0], 2 * direction, rtol=1e-9, atol=1e-12)
 
 
 def test_scaled_loads_and_softer_obstacles_keep_the_rest() -> None:
