@@ -25,6 +25,7 @@ from backend.designs.question import read_design, read_scene
 from backend.problems import Busy
 from backend.simulations import service
 from backend.simulations.schemas import Prediction, PredictRequest
+from storage.response_arrays import pack
 
 PATIENCE_S = 60.0
 """For one answer; what takes longer belongs into the queue."""
@@ -41,10 +42,12 @@ log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """What came of a question: an answer, or why it has none."""
+    """What came of a question: an answer and its shape (`storage.response_arrays`), or why it has
+    none."""
 
     prediction: Prediction | None
     refusal: InputError | None
+    arrays: bytes = b""
 
     def given(self) -> Prediction:
         """The answer; raises the refusal."""
@@ -172,7 +175,8 @@ def _warm() -> None:
 def _solve(body: PredictRequest) -> dict[str, Any]:
     """As data: what an exception carries besides its words does not survive the way back."""
     try:
-        return {"prediction": service.predict(body).model_dump()}
+        prediction, response = service.answered(body)
+        return {"prediction": prediction.model_dump(), "arrays": pack(response)}
     except InputError as refusal:
         named = type(refusal).__name__
         return {
@@ -184,7 +188,7 @@ def _solve(body: PredictRequest) -> dict[str, Any]:
 
 def _read(reply: Mapping[str, Any]) -> Kept:
     if "prediction" in reply:
-        return Kept(Prediction.model_validate(reply["prediction"]), None)
+        return Kept(Prediction.model_validate(reply["prediction"]), None, reply["arrays"])
     refusal = _REFUSALS[reply["refused"]](
         reply["message"], field=reply["field"], value=reply["value"], mend=reply["mend"]
     )

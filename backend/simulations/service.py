@@ -3,6 +3,7 @@
 import time
 
 from actuators.mechanics.ladder import typical_error
+from actuators.mechanics.response import Response
 from backend.designs.question import read_design, read_scene
 from backend.simulations.instant import answer, answer_in_part
 from backend.simulations.schemas import (
@@ -16,6 +17,11 @@ from backend.simulations.schemas import (
 
 def predict(body: PredictRequest) -> Prediction:
     """Read the question, answer it, and say how long each took."""
+    return answered(body)[0]
+
+
+def answered(body: PredictRequest) -> tuple[Prediction, Response]:
+    """As :func:`predict`, and the science's own answer, which also knows the shape."""
     start = time.perf_counter()
     design, scene = read_design(body.design), read_scene(body.scene)
     read = time.perf_counter()
@@ -29,7 +35,7 @@ def predict(body: PredictRequest) -> Prediction:
     timings["read"] = (read - start) * 1e3
     timings["solve"] = (solved - read) * 1e3
     timings["total"] = (time.perf_counter() - start) * 1e3
-    return Prediction(
+    prediction = Prediction(
         result=result,
         typical_errors=[
             None
@@ -44,3 +50,4 @@ def predict(body: PredictRequest) -> Prediction:
         left_out=[LeftOutLoad(field=each.field, reason=each.reason) for each in left_out],
         timings_ms={name: round(value, 3) for name, value in timings.items()},
     )
+    return prediction, response

@@ -1,6 +1,7 @@
 """Views of the 3D viewer."""
 
 from fastapi import APIRouter, Request, Response
+from fastapi.concurrency import run_in_threadpool
 
 from backend.viewer import service
 from backend.viewer.schemas import (
@@ -11,7 +12,7 @@ from backend.viewer.schemas import (
     NewView,
     View,
 )
-from backend.wiring import Rooms, Storage
+from backend.wiring import Helper, Rooms, Storage
 
 router = APIRouter(tags=["viewer"])
 
@@ -23,11 +24,19 @@ def create_view(body: NewView, request: Request, response: Response, rooms: Room
 
 
 @router.put("/views/{view_id}/content")
-def put_content(
-    view_id: str, body: ContentRequest, request: Request, rooms: Rooms, store: Storage
+async def put_content(
+    view_id: str,
+    body: ContentRequest,
+    request: Request,
+    rooms: Rooms,
+    store: Storage,
+    helper: Helper,
 ) -> Content:
-    """Choose what the view shows."""
-    return service.show(rooms, store, view_id, body, request)
+    """Choose what the view shows. `cell-rod` is answered as by `POST /api/predict`."""
+    turn = await run_in_threadpool(service.turn, rooms, view_id, request)
+    question = service.question(body)
+    found = None if question is None else await helper.answer(question, request.is_disconnected)
+    return await run_in_threadpool(service.show, turn, rooms.shelf, store, body, found)
 
 
 @router.put("/views/{view_id}/frame", status_code=204)

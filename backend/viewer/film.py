@@ -18,7 +18,7 @@ from actuators.geometry.surface import body_surface, edge_for
 from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.mechanics.response import Centreline, Response
 from actuators.mechanics.scene import Scene
-from backend.simulations.instant import answer_in_part
+from backend.simulations.instant import InstantRung, answer_in_part
 from backend.viewer.schemas import Colour
 from backend.viewer.skin import Skin, skin, swept
 from storage.response_arrays import unpack
@@ -68,10 +68,12 @@ class Shelf:
         return film
 
 
-def instant_film(design: Design, scene: Scene, stamp: Callable[[str], None]) -> Film:
-    """The energy model's answer without loads it cannot carry: the undeformed surface, moved along
+def instant_film(
+    design: Design, scene: Scene, stamp: Callable[[str], None], *, rung: InstantRung = "energy"
+) -> Film:
+    """An instant rung's answer without loads it cannot carry: the undeformed surface, moved along
     with the rod."""
-    response, _ = answer_in_part(design, replace(scene, steps=MOST_FRAMES - 1))
+    response, _ = answer_in_part(design, replace(scene, steps=MOST_FRAMES - 1), rung=rung)
     stamp("solve")
     _skins(design)
     stamp("surface")
@@ -110,7 +112,8 @@ def _rod_film(
 def stored_film(
     artifact: bytes, design: Design, scene: Scene, volumes_ml: Sequence[float | None]
 ) -> Film:
-    """Stored fields of a finite-element answer; a half model is completed by its mirror image.
+    """Stored fields of a finite-element answer; a half model is completed by its mirror image. An
+    answer without a surface has the undeformed one, moved along with its rod.
 
     ``volumes_ml``: of the cavity at every path point [ml], as the answer's document has them.
     """

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from backend.documents import Answer, Body, DesignDocument, SceneDocument
+from backend.simulations.schemas import InstantRung
 
 Colour = Literal["displacement", "stretch", "stress", "contact", "none"]
 Camera = Literal["three-quarter", "side", "top", "below", "front"]
@@ -24,11 +25,16 @@ class View(Answer):
 
 
 class InstantSource(Body):
-    """Show the instant answer of the energy model."""
+    """Show the answer of an instant rung: the undeformed body, bent along its centreline."""
 
     kind: Literal["instant"]
     design: DesignDocument
     scene: SceneDocument
+    rung: InstantRung = Field(
+        default="energy",
+        description="`cell-rod` answers the scene as it stands, or refuses; the others leave out "
+        "loads that they cannot carry",
+    )
 
 
 class JobSource(Body):
@@ -66,6 +72,7 @@ class Legend(Answer):
 class Content(Answer):
     """What a view now shows."""
 
+    rung: str = Field(description="Model whose shape it is")
     pressures_kPa: list[float] = Field(description="Pressure of every frame [kPa]")
     volumes_ml: list[float | None] = Field(
         description="Cavity volume of every frame [ml]; null where the source does not know it"

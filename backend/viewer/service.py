@@ -6,6 +6,8 @@ import numpy as np
 from fastapi import Request, Response
 
 from backend.designs.question import read_design, read_scene
+from backend.simulations.aside import Kept
+from backend.simulations.schemas import PredictRequest
 from backend.viewer.film import Film, Shelf, instant_film, stored_film
 from backend.viewer.picture import picture
 from backend.viewer.room import Room
@@ -14,6 +16,7 @@ from backend.viewer.schemas import (
     AppearanceRequest,
     Content,
     ContentRequest,
+    InstantSource,
     JobSource,
     NewView,
     View,
@@ -37,20 +40,39 @@ def open_view(rooms: RoomKeeper, body: NewView, request: Request, response: Resp
     return View(view_id=room.view_id, url=f"/viewer/{room.view_id}/")
 
 
-def show(
-    rooms: RoomKeeper, store: Store, view_id: str, body: ContentRequest, request: Request
-) -> Content:
-    """Build what was asked for and put it into the room."""
+def question(body: ContentRequest) -> PredictRequest | None:
+    """What must be asked of the helper process first, where the source is an answer of its."""
+    source = body.source
+    if isinstance(source, JobSource) or source.rung != "cell-rod":
+        return None
+    return PredictRequest(design=source.design, scene=source.scene, rung=source.rung)
+
+
+def turn(rooms: RoomKeeper, view_id: str, request: Request) -> tuple[Room, int]:
+    """The room, and this request's place among those that fill it."""
     room = _own(rooms, view_id, request)
-    ticket = room.ticket()
+    return room, room.ticket()
+
+
+def show(
+    turn: tuple[Room, int], shelf: Shelf, store: Store, body: ContentRequest, answered: Kept | None
+) -> Content:
+    """Build what was asked for and put it into the room. ``answered``: the helper's answer to
+    :func:`question`."""
+    room, ticket = turn
     stages: dict[str, float] = {}
     stamp = milliseconds(stages)
     if isinstance(body.source, JobSource):
-        film = _job_film(store, rooms.shelf, body.source.job_id)
+        film = _job_film(store, shelf, body.source.job_id)
+        rung = store.get_job(body.source.job_id).rung
         stamp("load")
+    elif answered is not None:
+        film, rung = _answered_film(body.source, answered), body.source.rung
+        stamp("sweep")
     else:
+        rung = body.source.rung
         design, scene = read_design(body.source.design), read_scene(body.source.scene)
-        film = instant_film(design, scene, stamp)
+        film = instant_film(design, scene, stamp, rung=rung)
     shown = picture(film, body.colour, undeformed=body.undeformed)
     stamp("colour")
     last = len(shown.pressures) - 1
@@ -58,6 +80,7 @@ def show(
     room.show(shown.bodies, frame, ticket)
     stamp("send")
     return Content(
+        rung=rung,
         pressures_kPa=[float(f"{p / 1e3:.6g}") for p in shown.pressures],
         volumes_ml=[None if np.isnan(v) else float(f"{v * 1e6:.6g}") for v in shown.volumes],
         frame=frame,
@@ -99,6 +122,13 @@ def close_view(rooms: RoomKeeper, view_id: str, request: Request) -> None:
 
 def _own(rooms: RoomKeeper, view_id: str, request: Request) -> Room:
     return rooms.find(view_id, request.cookies.get(SESSION_COOKIE))
+
+
+def _answered_film(source: InstantSource, answered: Kept) -> Film:
+    path = answered.given().result.path
+    volumes = [point.cavity_volume_ml for point in path]
+    design, scene = read_design(source.design), read_scene(source.scene)
+    return stored_film(answered.arrays, design, scene, volumes)
 
 
 def _job_film(store: Store, shelf: Shelf, job_id: str) -> Film:

@@ -5,6 +5,7 @@ import os
 import signal
 from typing import Any
 
+import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 
@@ -42,6 +43,26 @@ def test_the_helper_gives_the_answer_of_the_science_and_the_ladder_has_it_measur
     points = client.post("/api/ladder", json=asked).json()["points"]
     state = {point["rung"]: point["state"] for point in points}
     assert (state["cell-rod"], state["closed-form"]) == ("measured", "predicted")
+
+
+def test_the_3d_view_bends_the_body_along_the_answers_own_line(client: TestClient) -> None:
+    view = client.post("/api/views", json={}).json()["view_id"]
+    source = {"kind": "instant", "design": SLAB, "scene": QUESTION}
+    path = client.post("/api/predict", json=BODY).json()["result"]["path"]
+
+    def shown(rung: str) -> Any:
+        body = {"source": {**source, "rung": rung}}
+        answer = client.put(f"/api/views/{view}/content", json=body)
+        assert answer.status_code == 200, answer.text
+        return answer.json()
+
+    content = shown("cell-rod")
+    assert content["rung"] == "cell-rod"
+    assert content["pressures_kPa"] == [point["pressure_kPa"] for point in path]
+    # nothing moves farther than the end face, which is as high as the tip's middle is far off
+    moved = float(np.linalg.norm(path[-1]["tip_displacement_mm"]))
+    assert content["legend"]["upper"] == pytest.approx(moved, rel=0.15)
+    assert shown("energy")["legend"]["upper"] != content["legend"]["upper"]
 
 
 def test_a_refusal_comes_back_with_its_field_and_mend(client: TestClient) -> None:

@@ -25,12 +25,16 @@ def test_pick_a_model_by_error_and_time_and_force_an_effect(studio: Run, page: P
     expect(page.get_by_test_id("ladder-cell-rod")).to_have_attribute("data-state", "measured")
     expect(page.get_by_test_id("ladder-fe10")).to_have_attribute("data-state", "predicted")
     refined = number(page, "bending_angle")
+    # the body in 3D is bent as its curve says
+    shape = page.get_by_test_id("viewer-model")
+    expect(shape).to_have_attribute("data-rung", "cell-rod")
 
     # A slider moves: energy answers at once. A click on its point keeps it.
     slider = page.get_by_test_id("slider-pressure")
     slider.focus()
     slider.press("ArrowRight")
     expect(drawn).to_have_attribute("data-rung", "energy")
+    expect(shape).to_have_attribute("data-rung", "energy")
     page.get_by_test_id("undo").click()
     page.get_by_test_id("ladder-energy").focus()
     expect(page.get_by_test_id("ladder-card")).to_contain_text("Leaves out: large strain")

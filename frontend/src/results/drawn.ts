@@ -9,6 +9,8 @@ import { bench } from "../workbench/workbench";
 
 export interface Drawn {
   result: Result;
+  /** The question that it answers. */
+  answered: Work;
   typical: TypicalErrors;
   totalMs: number | null;
   /** The answer that it has replaced; kept in the plots, paler. */
@@ -24,12 +26,14 @@ export function drawnOf(now: Answers, finer: Refined, work: Work | null, choice:
   if (choice === "auto" && fits && prediction.result.path.length > 1) {
     return {
       result: prediction.result,
+      answered,
       typical: prediction.typical_errors,
       totalMs: prediction.timings_ms.total ?? null,
       replaced: now.answered !== null && sameQuestion(now.answered, work) ? moving : null,
     };
   }
-  return moving && { result: moving, typical: now.typical, totalMs: now.totalMs, replaced: null };
+  if (moving === null || now.answered === null) return null;
+  return { result: moving, answered: now.answered, typical: now.typical, totalMs: now.totalMs, replaced: null };
 }
 
 export function useDrawn(): Drawn | null {

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 
 import { connection } from "../api/live";
 import { usePick, useStore } from "../api/store";
+import { useDrawn } from "../results/drawn";
 import { useShownFe } from "../results/shown";
 import { feLabel } from "../results/words";
 import { Button } from "../ui/Button";
@@ -58,7 +59,11 @@ function Toolbar() {
         label="Source of the 3D view"
         value={source}
         options={[
-          { value: "instant", label: "Energy", title: "The energy model's answer to the parameters as they stand" },
+          {
+            value: "instant",
+            label: "Instant",
+            title: "The answer to the parameters as they stand: the cell and rod's once the hand rests, before that the energy model's",
+          },
           {
             value: "fe",
             label: "FE",
@@ -98,7 +103,8 @@ function Toolbar() {
 function Stage() {
   const state = useStore(view);
   const lost = useStore(connection) === "lost";
-  const beyond = usePick(answers, (now) => now.instantProblem !== null);
+  const drawn = useDrawn();
+  const beyond = usePick(answers, (now) => now.instantProblem !== null) && drawn === null;
   const source = useSource();
   return (
     <div className="stage" data-testid="viewer-stage" data-phase={state.phase}>

@@ -1,6 +1,10 @@
 /** What the 3D view shows: the instant answer or a finite-element result. */
 import { usePick, useStore } from "../api/store";
+import { useDrawn } from "../results/drawn";
 import { useShownFe, type ShownFe } from "../results/shown";
+import { answers } from "../workbench/answers";
+import type { Work } from "../workbench/document";
+import { modelChoice, movingRung, type InstantRung } from "../workbench/model";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 import { viewerSettings, type ViewerSettings } from "./settings";
@@ -19,4 +23,19 @@ export function useSource(): "instant" | "fe" {
   const chosen = useStore(viewerSettings).source;
   const changed = usePick(bench, (timeline) => timeline !== null && isChanged(timeline.present));
   return sourceOf(chosen, useShownFe(), changed);
+}
+
+export interface InstantShape {
+  work: Work;
+  rung: InstantRung;
+}
+
+/** The instant answer to show: the one in the plots, else the last that there was, as a design that
+ * is refused has no body. */
+export function useInstantShape(): InstantShape | null {
+  const last = usePick(answers, (now) => now.answered);
+  const moving = movingRung(useStore(modelChoice));
+  const drawn = useDrawn();
+  if (drawn?.result.rung === "cell-rod") return { work: drawn.answered, rung: "cell-rod" };
+  return last && { work: last, rung: moving };
 }

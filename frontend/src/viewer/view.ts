@@ -6,7 +6,7 @@ import { Store } from "../api/store";
 import type { ContentRequest } from "../api/types";
 import { dragging } from "../ui/dragging";
 import type { Control } from "../workbench/loads";
-import { setFrames } from "../workbench/scrubber";
+import { frameIndex, scrubber, setFrames } from "../workbench/scrubber";
 import { bench } from "../workbench/workbench";
 
 function putContent({ viewId, body }: Placed<ContentRequest>) {
@@ -78,6 +78,9 @@ const contents = new Lane<Placed<ContentRequest>, ViewContent>(
   ({ body }, content) => {
     patch({ content, problem: null, phase: "ready", busy: body !== wanted });
     setFrames(...framesOf(content));
+    // Content comes with its last frame; what is looked at may lie before it.
+    const index = frameIndex(scrubber.get());
+    if (index !== content.frame) showFrame(index);
   },
   (_, error) => onFailure(error),
 );

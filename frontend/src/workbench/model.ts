@@ -14,7 +14,7 @@ export function movingRung(choice: ModelChoice): "closed-form" | "energy" {
   return choice === "closed-form" ? "closed-form" : "energy";
 }
 
-const NAMES: Record<string, string> = { "closed-form": "Closed form", energy: "Energy", "cell-rod": "Cell + rod" };
+const NAMES: Record<string, string> = { "closed-form": "Closed form", energy: "Energy", "cell-rod": "Cell + rod", fe: "3D FE" };
 
 export function modelName(rung: string): string {
   return NAMES[rung] ?? rung;
