@@ -9,7 +9,7 @@ import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
-from actuators.errors import InputError
+from actuators.errors import InputError, QuestionError
 from actuators.hard_cases.asking import ask
 from actuators.hard_cases.case import Case, Variation
 from actuators.hard_cases.question import question
@@ -103,7 +103,10 @@ def _other(case: Case, like: Variation) -> dict[str, Any]:
     if like.threads is not None:
         return _in_another_process(case, like.threads)
     _forget()
-    return ask(question(case, like), case.budget).to_document()
+    other = ask(question(case, like), case.budget)
+    if other.outcome not in case.outcomes:
+        raise QuestionError(f"it ended as {other.outcome.value}: {other.advice}", field="like")
+    return other.to_document()
 
 
 def _forget() -> None:

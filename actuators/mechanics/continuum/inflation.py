@@ -7,8 +7,6 @@ is then the answer.
 
 import math
 
-import numpy as np
-
 from actuators.mechanics.continuum.newton import Equilibrium, Failure, Target
 from actuators.mechanics.continuum.prediction import (
     growth,
@@ -17,7 +15,7 @@ from actuators.mechanics.continuum.prediction import (
     predict_by_volume,
     pressure_step,
 )
-from actuators.mechanics.continuum.tracer import Tracer
+from actuators.mechanics.continuum.tracer import Path, Tracer
 from actuators.mechanics.continuum.walk import Walk
 from actuators.mechanics.response import Outcome
 
@@ -82,12 +80,14 @@ def _by_volume(
     keep: bool,
 ) -> list[Equilibrium] | None:
     """Walk until the pressure passes ``goal`` (then the two last states, the last one at
-    ``goal``) or a maximum (then None, with the limit state as last visited)."""
+    ``goal``) or a maximum (then None, with the limit state as last visited). None too where the
+    pressure is passed by states that are unstable: a body buckles out of them."""
     path = tracer.path
     sign = math.copysign(1.0, goal - history[-1].pressure)
     step = 0.5 * abs(history[-1].volume - history[-2].volume) if len(history) > 1 else 0.0
     step = sign * max(step, 0.02 * history[-1].volume)
     walk = Walk(tracer.system, tracer.solve, history, step)
+    unstable_from: float | None = None
 
     def given_up(share: float) -> bool:
         near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail, sign)
@@ -107,19 +107,44 @@ def _by_volume(
         if sign * (result.pressure - last.pressure) <= 0:
             _end_at_limit(tracer, walk.trail, sign, visited)
             return None
+        if not result.negative_eigenvalues:
+            unstable_from = None
+        elif unstable_from is None:
+            unstable_from = result.pressure
         if sign * (result.pressure - goal) >= 0:
             share = (goal - last.pressure) / (result.pressure - last.pressure)
             start = tracer.system.onward(last.state, result.state, share - 1)
             there = tracer.solve(start, Target(goal))
+            if isinstance(there, Failure):
+                there = tracer.solve(result.state, Target(goal))
             if isinstance(there, Equilibrium) and not there.negative_eigenvalues:
                 return [last, there]
-            goal = sign * np.inf  # an unstable stretch: leave it to the volume
+            if not tracer.stopped():
+                _end_unstable(path, there, unstable_from, visited)
+            return None
         tracer.told(result)
         if keep:
             visited.append(result)
     path.outcome = Outcome.STALLED
     path.reason = "the volume changes without the pressure coming to a maximum"
     return None
+
+
+def _end_unstable(
+    path: Path, at_goal: Equilibrium | Failure, since: float | None, visited: list[Equilibrium]
+) -> None:
+    """End before the states that a body would not stay in."""
+    path.outcome = Outcome.STALLED
+    if isinstance(at_goal, Failure):
+        path.reason = at_goal.reason
+        return
+    begun = at_goal.pressure if since is None else since
+    path.reason = (
+        f"from about {begun / 1e3:.3g} kPa on the shape found is unstable: the body would buckle "
+        "out of it, into one that was not computed"
+    )
+    while visited and visited[-1].negative_eigenvalues:
+        visited.pop()
 
 
 def _close_in(
