@@ -43,7 +43,7 @@ def fit_spread(timings: Timings) -> Spread:
     """Spreads under which the timings are most likely; the usual ones for fewer than FEW jobs."""
     if len(timings.seconds) < FEW:
         return Spread()
-    names = ("weight", "memory", "reach", "noise")
+    names = ("weight", "memory", "reach", "peculiar")
 
     def spread(logs: np.ndarray) -> Spread:
         values = np.exp(np.clip(logs, -3.5, 1.5))

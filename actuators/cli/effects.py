@@ -48,7 +48,13 @@ def print_effects(effects: Sequence[Effect]) -> None:
         )
         for effect in effects
     ]
-    click.echo("\n" + table(["effect", "", "changes/%", "costs/s", "why"], rows))
+    click.echo("\n" + table(["effect", "", "tip without/%", "costs/s", "why"], rows))
+    if any(effect.estimated_change_percent is not None for effect in effects):
+        click.echo(
+            "tip without: how far the tip lies from where it would without the effect (with it, "
+            "where it is off), estimated, in percent of its longest way from the straight body, "
+            "sag included."
+        )
 
 
 def _short(value: float | None) -> float | None:

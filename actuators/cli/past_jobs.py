@@ -5,6 +5,7 @@ and may be deleted: predictions then start from the package's record again.
 """
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -32,15 +33,19 @@ LOADING_S = 5.0
 """The first solve of a process also reads compiled kernels; shorter ones would tell mostly that."""
 
 
-def remember(response: Response, rung: Rung, *, is_first: bool = False) -> None:
-    """Add a finished job. ``is_first``: its process had not loaded the solver before. A folder that
+def remember(
+    response: Response, rung: Rung, *, cpu_s: float = math.inf, is_first: bool = False
+) -> None:
+    """Add a finished job. ``cpu_s``: processor seconds [s] it took, which count where they are
+    fewer: a machine busy with other work is not slow. ``is_first``: its process had not loaded the
+    solver before. A folder that
     cannot be written to costs the memory, not the answer."""
     if response.outcome in NOT_TIMED or response.wall_s <= (LOADING_S if is_first else 0.0):
         return
     row = _features(response.design, response.scene, rung)
     entry = {
         "version": VERSION,
-        "seconds": response.wall_s,
+        "seconds": min(response.wall_s, cpu_s),
         "features": dict(zip(FEATURES, row.tolist(), strict=True)),
     }
     file = past_jobs_file()

@@ -29,9 +29,10 @@ from actuators.mechanics.rod import (
     rod_of,
     weightless,
 )
-from actuators.mechanics.rod.carried import follow_scene, is_plain
+from actuators.mechanics.rod.carried import follow_scene
 from actuators.mechanics.rod.effects import (
     closed_form_effects,
+    is_plain,
     rod_effects,
     small_strain_limit,
     strain_notes,
@@ -91,11 +92,15 @@ def predict(
 def _end(scene: Scene, rung: str) -> float:
     """Pressure [Pa] at the end; refuses what this rung cannot carry, naming the one that can."""
     carried = ("outside_pressure", "tip_force") if rung == "energy" else ()
-    for name, value in _beyond_pressure_and_weight(scene).items():
-        if value and name not in carried:
-            raise _beyond(rung, name, value)
-    if scene.pressure_to is None or scene.pressure_to < 0.0:
-        raise _beyond(rung, "pressure", f"{(scene.pressure_to or 0.0) / 1e3:g} kPa (suction)")
+    beyond = {
+        name: value
+        for name, value in _beyond_pressure_and_weight(scene).items()
+        if value and name not in carried
+    }
+    if scene.pressure_to is not None and scene.pressure_to < 0.0:
+        beyond["pressure"] = f"{scene.pressure_to / 1e3:g} kPa (suction)"
+    if beyond or scene.pressure_to is None:
+        raise _beyond(rung, beyond)
     return scene.pressure_to
 
 
@@ -112,12 +117,16 @@ def _beyond_pressure_and_weight(scene: Scene) -> dict[str, str]:
     }
 
 
-def _beyond(rung: str, name: str, value: str) -> QuestionError:
+def _beyond(rung: str, found: dict[str, str]) -> QuestionError:
+    """Names all of them, and the first as the field to change."""
     instead = {"volume": "give a pressure", "pressure": "give a pressure above 0 kPa"}
-    mend = f"Use the rung cell-rod or fe, or {instead.get(name, f'leave {name} out')}."
+    ways = [instead.get(name, f"leave {name} out") for name in found]
+    mend = f"Use the rung cell-rod or fe, or {' and '.join(ways)}."
+    listed = " and ".join(f"{name} is {value}" for name, value in found.items())
+    name, value = next(iter(found.items()))
     known = ", weight, a tip force and outside pressure" if rung == "energy" else ""
     return QuestionError(
-        f"{name} is {value}, which the rung {rung} cannot carry: it knows pressure{known} only. "
+        f"{listed}, which the rung {rung} cannot carry: it knows pressure{known} only. "
         f"{mend}",
         field=name, value=value, mend=mend,
     )  # fmt: skip

@@ -11,12 +11,17 @@ from actuators.design import Design
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.row import pitch_starts
 from actuators.mechanics.response import Effect, Outcome
+from actuators.mechanics.rod.effects import is_plain, weight_change
+from actuators.mechanics.rod.pieces import end_height
 from actuators.mechanics.rod.solve import weightless
 from actuators.mechanics.scene import Scene
 
 if TYPE_CHECKING:
     from actuators.mechanics.cell_rod.answer import Question, Solved
 
+BENDING = 2
+SHOWN = 0.03
+"""Strain by loads that a reader of the largest stretch must know of."""
 NEAR_THE_LIMIT = 0.8
 """Share of the cell's limit pressure up to which the rod's answer is worth reading: beyond it
 chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the cell's."""
@@ -105,6 +110,19 @@ def cell_rod_effects(question: Question, solved: Solved) -> tuple[Effect, ...]:
 def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     """Findings of the cells, and of the rod's obstacles."""
     notes = list(dict.fromkeys(note for path in question.paths for note in path.notes))
+    if len(solved.path.strains):
+        bent = (
+            solved.path.strains[..., BENDING]
+            - question.layout.free(solved.chambers.free[: len(solved.path.strains)])[..., BENDING]
+        )
+        strain = float(np.abs(bent[:, question.layout.chambered]).max()) * end_height(
+            question.design
+        )
+        if strain > SHOWN:
+            notes.append(
+                "The largest stretch is that of the chamber under pressure alone: what loads bend "
+                f"it by, about {100 * strain:.0f} % at its top, is not in it."
+            )
     depth = solved.path.penetration.max(initial=0.0)
     if depth > 2e-3 * question.design.length:
         notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")
@@ -121,9 +139,10 @@ def _gravity(question: Question, solved: Solved) -> Effect:
         return Effect("gravity", True, reason)
     layout = question.layout
     floating = weightless(layout.free(solved.chambers.free[found - 1])[None], layout.length)
-    tip, free = solved.path.positions[-1, -1], floating.positions[0, -1]
-    moved = float(np.linalg.norm(tip - np.array([layout.length.sum(), 0.0, 0.0])))
-    change = 100 * float(np.linalg.norm(tip - free)) / moved if moved > 0 else 0.0
+    change = 100 * weight_change(
+        solved.path, floating.positions[0, -1], float(layout.length.sum()),
+        alone=is_plain(question.scene),
+    )  # fmt: skip
     return Effect("gravity", True, reason, estimated_change_percent=change)
 
 

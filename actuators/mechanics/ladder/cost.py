@@ -1,12 +1,15 @@
 """How long a finite-element job will take: Bayesian regression in the logarithm of seconds.
 
-    ln t = m + (work feature) + x . b + g(x) + noise
+    ln t = m + (work feature) + x . b + g(x) + h(x) + noise
 
 x are the features of :mod:`.question`; b has a normal prior about 0 (ridge regression); g is a
-Gaussian process that remembers what is alike (a job like one that has run takes about as long); m
-is one number per machine, wide open until this machine's first jobs have ended. What is known
-before any job has run here are the jobs of the package's own record (:mod:`.record`), as data of
-another machine. All of it is one Gaussian conditional: exact, and quick at some hundred jobs.
+Gaussian process that remembers what is alike (a job like one that has run takes about as long); h
+is what is peculiar to one question and features do not tell (how its contact goes): nearly the
+same where nothing but accuracy or pressure differs, so that a question timed before dominates its
+own prediction; m is one number per machine, wide open until this machine's first jobs have ended.
+What is known before any job has run here are the jobs of the package's own record
+(:mod:`.record`), as data of another machine. All of it is one Gaussian conditional: exact, and
+quick at some hundred jobs.
 """
 
 import math
@@ -23,9 +26,15 @@ WITHIN = 1.2816
 """Standard deviations on either side that hold 80 % of a normal distribution."""
 OUTLIER = 3.0
 """Standard deviations beyond which a job (a machine that slept) is believed less."""
+ENOUGH = 20
+"""Jobs that tell how wide ranges must be."""
 MOST_JOBS = 300
 """Latest jobs of a machine that are learnt from."""
 _WORK = FEATURES.index("work")
+_VARIED = {"work": 2.5, "strain": 1.5, "large strain": 1.0, "steps": 1.0}
+_SAME = np.array([_VARIED.get(name, 0.03) for name in FEATURES])
+"""Differences of features over which a question is still the same one: accuracy changes the work
+alone, pressure the strain alone; bodies differ in the unknowns of their coarsest mesh."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,12 +57,15 @@ class Timings:
 @dataclass(frozen=True)
 class Spread:
     """Standard deviations, all of ln t: of the weights ``b`` (per unit of a feature), of the memory
-    ``g`` and its ``reach`` (distance in features), of the noise, of one machine against another."""
+    ``g`` and its ``reach`` (distance in features), of what a question shares with itself alone
+    (``peculiar``, h), of the noise between two runs of one question, of one machine against
+    another."""
 
     weight: float = 0.15
     memory: float = 0.3
     reach: float = 1.0
-    noise: float = 0.3
+    peculiar: float = 0.4
+    noise: float = 0.1
     machine: float = 1.0
 
 
@@ -96,8 +108,11 @@ class CostModel:
         self._rest = np.log(t) - self._mean(self._x)
         noise = np.full(len(t), self._spread.noise**2)
         self._factor = self._factorise(noise)
+        self._wider = 1.0
         if self._factor is not None:
             away = self._left_out(noise)
+            if len(t) >= ENOUGH:  # a range is as wide as four of five of these jobs needed it
+                self._wider = float(np.clip(np.quantile(away, 0.8) / WITHIN, 1.0, OUTLIER))
             noise = noise * np.maximum(away / OUTLIER, 1.0) ** 2
             self._factor = self._factorise(noise)
 
@@ -110,7 +125,7 @@ class CostModel:
             solved = cho_solve(self._factor, np.stack([self._rest, cross], axis=1))
             mean += float(cross @ solved[:, 0])
             variance -= float(cross @ solved[:, 1])
-        deviation = math.sqrt(max(variance, 0.0) + self._spread.noise**2)
+        deviation = self._wider * math.sqrt(max(variance, 0.0) + self._spread.noise**2)
         return TimeEstimate(
             math.exp(mean),
             math.exp(mean - WITHIN * deviation),
@@ -140,7 +155,9 @@ class CostModel:
         apart = ((a[:, None] - b[None]) ** 2).sum(axis=-1)
         linear = s.weight**2 * (a @ b.T)
         alike = s.memory**2 * np.exp(-0.5 * apart / s.reach**2)
-        return linear + alike + s.machine**2 * (a_own[:, None] & b_own[None])
+        near = ((a[:, None] - b[None]) ** 2 / _SAME**2).sum(axis=-1)
+        same = s.peculiar**2 * np.exp(-0.5 * near)
+        return linear + alike + same + s.machine**2 * (a_own[:, None] & b_own[None])
 
     def _factorise(self, noise: np.ndarray) -> tuple[np.ndarray, bool] | None:
         if not len(noise):

@@ -14,14 +14,6 @@ UNSHEARED = 1e3
 """Shear stiffness over the axial one where a rod's law knows no shear."""
 
 
-def is_plain(scene: Scene) -> bool:
-    """Whether weight is the only load beside pressure."""
-    return (
-        scene.tip_force is None and scene.outside_pressure == 0.0
-        and scene.plate is None and scene.cylinder is None
-    )  # fmt: skip
-
-
 def follow_scene(
     design: Design, row: ChamberRow, free: np.ndarray, pressures: np.ndarray, scene: Scene
 ) -> RodPath:

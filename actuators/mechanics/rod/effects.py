@@ -86,7 +86,25 @@ def _gravity(scene: Scene, path: RodPath, floating: RodPath, length: float, cost
     reason = "the scene has it; the rod bears its own weight"
     if len(path.positions) == 0:
         return Effect("gravity", True, reason, cost_s=cost)
-    tip, free = path.positions[-1, -1], floating.positions[-1, -1]
-    moved = float(np.linalg.norm(tip - np.array([length, 0.0, 0.0])))
-    change = 100 * float(np.linalg.norm(tip - free)) / moved if moved > 0 else 0.0
+    change = 100 * weight_change(path, floating.positions[-1, -1], length, alone=is_plain(scene))
     return Effect("gravity", True, reason, estimated_change_percent=change, cost_s=cost)
+
+
+def weight_change(path: RodPath, floating: np.ndarray, length: float, *, alone: bool) -> float:
+    """What leaving out gravity changes at the tip, over its longest way, as the effects' plan has
+    it: the larger of the changes at the path's end, where the weightless tip is at ``floating``
+    (3,) [m], and at its beginning, where it rests if weight is ``alone``. ``length`` [m]."""
+    tips, rest = path.positions[:, -1], np.array([length, 0.0, 0.0])
+    ways = np.linalg.norm(tips - rest, axis=1)
+    change = float(np.linalg.norm(tips[-1] - floating))
+    if alone:
+        change = max(change, float(ways[0]))
+    return change / float(ways.max()) if ways.max() > 0.0 else 0.0
+
+
+def is_plain(scene: Scene) -> bool:
+    """Whether weight is the only load beside pressure."""
+    return (
+        scene.tip_force is None and scene.outside_pressure == 0.0
+        and scene.plate is None and scene.cylinder is None
+    )  # fmt: skip

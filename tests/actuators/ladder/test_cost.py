@@ -64,6 +64,25 @@ def test_one_job_on_a_machine_that_slept_spoils_little() -> None:
     assert share_within(CostModel(record, slept), asked, 1.5) >= 0.8
 
 
+def test_a_question_timed_before_dominates_its_own_prediction() -> None:
+    """Also where only accuracy or pressure differ; a body of another size is another question."""
+    rng = np.random.default_rng(5)
+    record, own = jobs(rng, 60, pace=1.0), jobs(rng, 10, pace=1.0)
+    x = own.features[3].copy()
+    x[FEATURES.index("coarse")] = 0.5
+    usual = CostModel(record, own).predict(x)
+    again = Timings(np.vstack([own.features, x]), np.append(own.seconds, 3 * usual.seconds))
+    model = CostModel(record, again)
+    found = model.predict(x)
+    assert found.seconds == pytest.approx(3 * usual.seconds, rel=0.25)
+    assert found.high / found.low < usual.high / usual.low
+    finer, other = x.copy(), x.copy()
+    finer[WORK] += 0.7
+    assert model.predict(finer).seconds > 2 * CostModel(record, own).predict(finer).seconds
+    other[FEATURES.index("coarse")] = 0.8
+    assert model.predict(other).seconds < 2 * usual.seconds
+
+
 def test_an_estimate_moves_up_once_seconds_have_been_spent_in_vain() -> None:
     first = TimeEstimate(10.0, 5.0, 20.0, 0)
     assert first.longer_than(0.0) == first
