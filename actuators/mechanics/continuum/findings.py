@@ -7,6 +7,7 @@ import numpy as np
 
 from actuators.materials import Material
 from actuators.mechanics.continuum.path import Path
+from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.effects import Decision, EffectPlan
 from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, PathPoint
@@ -17,11 +18,14 @@ VISIBLE_OVERLAP = 0.01e-3
 
 
 def path_notes(path: Path, parts: float) -> list[str]:
-    """Notes on limit points that a path towards a volume has passed; ``parts`` like the mesh make
-    the body."""
-    if not path.by_volume:
-        return []
+    """Notes on layers that would wrinkle, and on limit points that a path towards a volume has
+    passed; ``parts`` like the mesh make the body."""
     notes: list[str] = []
+    wrinkled = next((point for point in path.points if point.wrinkles), None)
+    if wrinkled is not None:
+        notes.append(wrinkle_note(wrinkled.pressure))
+    if not path.by_volume:
+        return notes
     if path.limit is not None:
         notes.append(
             f"The pressure has its maximum of {path.limit.pressure / 1e3:.3g} kPa at "

@@ -16,7 +16,7 @@ the volume too.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -55,13 +55,16 @@ equilibrium, however high they are."""
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
     """A converged state. ``negative_eigenvalues`` of the last tangent: 0 where stable, None where
-    the solver does not say."""
+    the solver does not say. ``wrinkles``: whether there are fewer of them because embedded sheets,
+    which bend freely here and would wrinkle as finely as the mesh allows, are taken to stay flat.
+    """
 
     state: State
     pressure: float
     volume: float
     iterations: int
     negative_eigenvalues: int | None
+    wrinkles: bool = False
 
 
 @dataclass(frozen=True)
@@ -163,7 +166,9 @@ def solve_equilibrium(
             pressed = any(touch.points for touch in balance.touches)
             if rest <= tolerance * size * (TOUCHING if pressed else 1.0):
                 volume, _ = system.volume(state)
-                return Equilibrium(state, pressure, volume, iterations, solver.negative_eigenvalues)
+                below = solver.negative_eigenvalues
+                found = Equilibrium(state, pressure, volume, iterations, below)
+                return _judged(system, solver, found, target.loads)
             balance = system.balance(state, pressure, loads=target.loads)
             if not balance.admissible:
                 state, pressure = trial, trial_pressure
@@ -172,6 +177,25 @@ def solve_equilibrium(
             again, dp_again = border.correction(state, balance)
             rest = _length(system, again)
     return Failure(f"not converged in {most_iterations} iterations", iterations)
+
+
+def _judged(
+    system: ContinuumSystem, solver: SymmetricSolver, found: Equilibrium, loads: float
+) -> Equilibrium:
+    """``found``, its stability judged with sheets held flat: without the stiffness against bending
+    that a real layer has, compression wrinkles them in waves of an element's length."""
+    below, sheet = found.negative_eigenvalues, found.state.sheet
+    if not below or not (sheet < 0.0).any():
+        return found
+    system.linearise(found.state, found.pressure, loads=loads, sheets_flat=True)
+    try:
+        system.factorize(solver)
+    except FactorizationError:
+        return found
+    flat = solver.negative_eigenvalues
+    if flat is None or flat >= below:
+        return found
+    return replace(found, negative_eigenvalues=flat, wrinkles=True)
 
 
 def _until_contact(system: ContinuumSystem, state: State, step: State) -> float:

@@ -62,6 +62,15 @@ def sheets_of(mesh: HexMesh) -> Sheets:
     )  # fmt: skip
 
 
+def wrinkle_note(pressure: float) -> str:
+    """What a reader must know of states from ``pressure`` [Pa] on that only flat sheets hold."""
+    return (
+        f"From {pressure / 1e3:.3g} kPa on the embedded layer is pressed together so hard in "
+        "places that without any stiffness against bending it would wrinkle in waves as short as "
+        "the mesh allows. It is taken to stay flat, as a layer of some thickness does."
+    )
+
+
 def by_element(faces: Faces, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Where the faces of each of ``count`` elements begin, once sorted, and the sorting order."""
     order = np.argsort(faces.element, kind="stable")

@@ -145,23 +145,30 @@ class ContinuumSystem:
 
     def balance(self, state: State, pressure: float, *, loads: float = 1.0) -> Balance:
         """Residual at cavity ``pressure`` [Pa] and this share of weight and outer loads."""
-        return self._assemble(state, pressure, loads, tangent=False)
+        return self._assemble(state, pressure, loads, False)
 
     def linearise(
-        self, state: State, pressure: float, *, loads: float = 1.0, near: bool = True
+        self,
+        state: State,
+        pressure: float,
+        *,
+        loads: float = 1.0,
+        near: bool = True,
+        sheets_flat: bool = False,
     ) -> Balance:
         """Residual, and the tangent kept in :attr:`values` (upper triangle). ``near``: whether
-        ``state`` is so near to equilibrium that its contact pressures are to be believed."""
-        return self._assemble(state, pressure, loads, tangent=True, near=near)
+        ``state`` is so near to equilibrium that its contact pressures are to be believed.
+        ``sheets_flat``: whether sheets under compression are held flat, against wrinkles."""
+        return self._assemble(state, pressure, loads, True, near, sheets_flat)
 
     def _assemble(
         self,
         state: State,
         pressure: float,
         loads: float,
-        *,
         tangent: bool,
         near: bool = True,
+        sheets_flat: bool = False,
     ) -> Balance:
         mesh = self.mesh
         residual = np.zeros_like(mesh.nodes)
@@ -177,9 +184,9 @@ class ContinuumSystem:
                 pressure, self._face_start, self._face_local, FACE_NODES, sheets.start,
                 sheets.local, sheets.stiffness,
                 state.sheet if len(state.sheet) else sheets.no_force, self._colour_start,
-                self._colour_order, self._scatter, tangent, residual, inner, self.values,
-                self._recover, self._inverse, self._least,
-                gap, sheets.area, sheets.gradient,
+                self._colour_order, self._scatter, tangent, sheets_flat, residual, inner,
+                self.values, self._recover, self._inverse, self._least, gap, sheets.area,
+                sheets.gradient,
             )  # fmt: skip
         self._add_outer_loads(positions, loads, residual, tangent=tangent)
         sound = bool(self._least.min() > 0.0) and bool(np.isfinite(residual).all())

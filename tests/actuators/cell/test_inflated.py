@@ -154,6 +154,18 @@ def test_a_slab_has_a_limit_pressure_where_its_bending_stiffness_vanishes() -> N
     assert np.all(np.diff(found.pressure) > 0)
 
 
+def test_a_layer_that_would_wrinkle_is_no_limit() -> None:
+    """A thick layer is pressed together under the bottom's bulges: without stiffness against
+    bending it would wrinkle from 28 to 39 kPa on, depending on the mesh."""
+    design = preset("printed-14").design.changed(chamber_count=2, length=16.0, layer_thickness=5.0)
+    body = build_cell(design, 0)
+    materials = tuple(material(region.material) for region in body.regions)
+    found = inflate_cell(body, materials, pressure_to=44e3)
+    assert found.outcome is Outcome.CONVERGED
+    bending = found.strain[:, 2] / found.pressure.clip(1.0)
+    np.testing.assert_allclose(bending[1:], bending[1], rtol=0.05)
+
+
 def test_suction_bends_the_other_way() -> None:
     body, materials = cell_of("slab-rectangle-low")
     found = inflate_cell(body, materials, pressure_to=-3e3)

@@ -40,7 +40,8 @@ class Point:
 
     ``volume`` of the half pitch [m3]; ``across``: stiffness against bending about X3 [N m2], of
     every second point only; ``rate`` of the state per pressure; ``growth`` of the half volume per
-    pressure [m3/Pa]; ``unstable`` under constant pressure.
+    pressure [m3/Pa]; ``unstable`` under constant pressure; ``wrinkles``: stable only because
+    embedded sheets under compression are taken to stay flat.
     """
 
     state: CellState
@@ -51,6 +52,7 @@ class Point:
     rate: Step
     growth: float
     unstable: bool
+    wrinkles: bool = False
 
 
 @dataclass(eq=False)
@@ -208,9 +210,17 @@ class Follower:
         except (FactorizationError, np.linalg.LinAlgError):
             return None
         rate = step_of(system, state, solution, None, np.zeros(0), 1.0)
-        return Point(
-            state, pressure, system.volume(state), law, across, rate, growth, tangent.unstable()
-        )
+        volume, unstable = system.volume(state), tangent.unstable()
+        wrinkles = unstable and self._held_by_flat_sheets(state, pressure)
+        unstable = unstable and not wrinkles
+        return Point(state, pressure, volume, law, across, rate, growth, unstable, wrinkles)
+
+    def _held_by_flat_sheets(self, state: CellState, pressure: float) -> bool:
+        """Whether an unstable state is stable once sheets under compression are held flat."""
+        if not (state.nodes.sheet < 0.0).any():
+            return False
+        flat = self._solver.factor(state, pressure, sheets_flat=True)
+        return flat is not None and not Tangent(flat, Target(pressure)).unstable()
 
     def _ahead(self, change: float, *, by_volume: bool) -> CellState:
         """The cubic through the last two points with their directions."""

@@ -14,6 +14,7 @@ from actuators.mechanics.cell.helical.overlap import WallGap
 from actuators.mechanics.cell.helical.system import CellSystem
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.periodic import CellMesh, coarse_mesh
+from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.continuum.surface_fields import StrainRecovery
 
 
@@ -38,6 +39,9 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
     stretch = [float(recovery.at_points(p.state.nodes)[0].max()) for p in points]
     contact = _contact_pressure(points, solver.system)
     notes = [f"The path of the periodic chamber ended: {course.reason}."] if course.reason else []
+    wrinkled = next((p.pressure for p in points if p.wrinkles), None)
+    if wrinkled is not None:
+        notes.append(wrinkle_note(wrinkled))
     begins = None if contact is None else _touching_from(points, contact, solver.system)
     if contact is not None and begins is not None:
         notes.append(

@@ -61,11 +61,14 @@ class Solver:
         self.numbering = system.numbering("even")
         self.tangents = 0
 
-    def factor(self, state: CellState, pressure: float, *, near: bool = True) -> Factor | None:
+    def factor(
+        self, state: CellState, pressure: float, *, near: bool = True, sheets_flat: bool = False
+    ) -> Factor | None:
         """Tangent at ``state``; None where it is inadmissible or singular. ``near``: whether
-        contact pressures are to be believed."""
+        contact pressures are to be believed; ``sheets_flat``: whether sheets under compression are
+        held flat."""
         self.tangents += 1
-        balance = self.system.linearise(state, pressure, near=near)
+        balance = self.system.linearise(state, pressure, near=near, sheets_flat=sheets_flat)
         if not balance.admissible:
             return None
         try:

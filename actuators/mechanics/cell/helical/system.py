@@ -104,10 +104,14 @@ class CellSystem:
         """Forces on the free nodes; what caps and walls add is in :meth:`forces`."""
         return self._touching(state, self.free.balance(state.nodes, pressure))
 
-    def linearise(self, state: CellState, pressure: float, *, near: bool = True) -> Balance:
+    def linearise(
+        self, state: CellState, pressure: float, *, near: bool = True, sheets_flat: bool = False
+    ) -> Balance:
         """As :meth:`balance`, and the tangent of the free nodes, which :meth:`reduced` takes.
-        ``near``: whether contact pressures are to be believed."""
-        balance = self._touching(state, self.free.linearise(state.nodes, pressure))
+        ``near``: whether contact pressures are to be believed; ``sheets_flat``: whether
+        sheets under compression are held flat."""
+        nodes = self.free.linearise(state.nodes, pressure, sheets_flat=sheets_flat)
+        balance = self._touching(state, nodes)
         if self.walls is not None and balance.admissible:
             self.walls.linearise(self.wall_positions(state), near=near)
         return balance

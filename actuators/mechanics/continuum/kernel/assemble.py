@@ -78,6 +78,7 @@ def assemble(
     colour_order: np.ndarray,
     scatter: np.ndarray,
     want_tangent: bool,
+    sheets_flat: bool,
     residual: np.ndarray,
     inner_residual: np.ndarray,
     values: np.ndarray,
@@ -91,7 +92,8 @@ def assemble(
     """Fill residuals (n, 3), (m, 4), matrix ``values`` and the data of the condensation.
 
     ``compliance`` (regions, 2): 1/kappa in the equations, and in the tangent. ``face_*``: sides of
-    each element on the cavity, ``sheet_*``: on embedded sheets.
+    each element on the cavity, ``sheet_*``: on embedded sheets; ``sheets_flat``: see
+    :func:`add_membrane`.
     ``scatter`` (m, 3081): place of each entry of an element's upper triangle in ``values``, or -1.
     ``least`` (m,): the least J of each element; not positive where the state is inadmissible.
     """
@@ -123,8 +125,8 @@ def assemble(
             for sheet in range(sheet_start[e], sheet_start[e + 1]):
                 add_membrane(
                     x, u, sheet_stiffness[sheet], sheet_force[sheet],
-                    face_nodes[sheet_local[sheet]], want_tangent, r, k, sheet_gap[sheet],
-                    sheet_area[sheet], sheet_gradient[sheet],
+                    face_nodes[sheet_local[sheet]], want_tangent, sheets_flat, r, k,
+                    sheet_gap[sheet], sheet_area[sheet], sheet_gradient[sheet],
                 )  # fmt: skip
             for n in range(27):
                 for i in range(3):

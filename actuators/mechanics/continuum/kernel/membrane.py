@@ -84,6 +84,7 @@ def add_membrane(
     force: np.ndarray,
     nodes: np.ndarray,
     want_tangent: bool,
+    held_flat: bool,
     r: np.ndarray,
     k: np.ndarray,
     gap: np.ndarray,
@@ -93,8 +94,10 @@ def add_membrane(
     """Adds a sheet of ``stiffness`` K [N/m] on one face to ``r`` (27, 3) and ``k`` (729, 6),
     with ``force`` N (6,) [N/m] eliminated from the latter.
 
-    Energy N (lambda - 1) - N^2 / (2 K). ``nodes``: (9,) local nodes of the face. Fills ``gap`` (6,)
-    = lambda - 1 - N/K and, with the tangent, ``areas`` (6,), ``gradient`` (6, 9, 3) = dlambda/du.
+    Energy N (lambda - 1) - N^2 / (2 K). ``nodes``: (9,) local nodes of the face. ``held_flat``:
+    what compression takes from the tangent's stiffness against turning, and so against wrinkles, is
+    left out. Fills ``gap`` (6,) = lambda - 1 - N/K and, with the tangent, ``areas`` (6,),
+    ``gradient`` (6, 9, 3) = dlambda/du.
     """
     which = _across_x1(x, nodes)
     slope, fibre = np.empty(9), np.empty(3)
@@ -119,6 +122,8 @@ def add_membrane(
                 for i in range(3):
                     gradient[g, n, i] = fibre[i] * slope[n]
             turning = area * force[g] / stretch
+            if held_flat and turning < 0.0:
+                turning = 0.0
             stretching = stiffness * area - turning
             for i in range(3):
                 for m in range(i, 3):
