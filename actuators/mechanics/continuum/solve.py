@@ -18,7 +18,7 @@ from actuators.mechanics.continuum.linear import missed, solve_linear, states_of
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
 from actuators.mechanics.continuum.watched import WATCHED, WatchedRun
-from actuators.mechanics.effects import EffectPlan, plan, without_layer
+from actuators.mechanics.effects import EffectPlan, checked, plan, without_layer
 from actuators.mechanics.effects.words import percent
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
@@ -111,6 +111,7 @@ class _Question:
             self._design, self._scene, answer, self._accuracy, plan=self._plan,
             came_of_it=self._came_of_it, wall_s=monitor.elapsed,
         )  # fmt: skip
+        response = checked(response, self._plan)
         marks.append(monitor.elapsed)
         monitor.report(1.0, "done")
         spans = [later - earlier for earlier, later in zip([0.0, *marks], marks, strict=False)]
