@@ -117,23 +117,23 @@ def cap_volume(rim: Rim, positions: np.ndarray, pitch: Motion, half: Motion) -> 
     """At node ``positions`` (n, 3), with the screw motions of a whole and of half a pitch."""
     x = positions[rim.nodes]
     a, b = x[rim.first], x[rim.second]
-    area = np.einsum("m,mi->i", rim.weight, np.cross(a, b))
+    area = np.einsum("m,mi->i", rim.weight, _cross(a, b))
     open_end = rim.ends @ x
     t, t_1, t_2 = pitch.shift / 3, pitch.shift_rate / 3, pitch.shift_second / 3
     c, c_1, c_2 = half.shift, half.shift_rate, half.shift_second
     # T . (c x v) = (T x c) . v
-    lever = np.cross(t, c)
-    lever_1 = np.cross(t_1, c) + np.cross(t, c_1)
-    both = np.cross(t_1[:, None], c_1[None, :])
-    lever_2 = np.cross(t_2, c) + np.cross(t, c_2) + both + np.swapaxes(both, 0, 1)
+    lever = _cross(t, c)
+    lever_1 = _cross(t_1, c) + _cross(t, c_1)
+    both = _cross(t_1[:, None], c_1[None, :])
+    lever_2 = _cross(t_2, c) + _cross(t, c_2) + both + np.swapaxes(both, 0, 1)
     gradient = np.zeros_like(x)
-    np.add.at(gradient, rim.first, rim.weight[:, None] * np.cross(b, t))
-    np.add.at(gradient, rim.second, rim.weight[:, None] * np.cross(t, a))
+    np.add.at(gradient, rim.first, rim.weight[:, None] * _cross(b, t))
+    np.add.at(gradient, rim.second, rim.weight[:, None] * _cross(t, a))
     gradient -= rim.ends[:, None] * lever
     mixed = np.zeros((*x.shape, 4))
     for k in range(4):
-        np.add.at(mixed[..., k], rim.first, rim.weight[:, None] * np.cross(b, t_1[k]))
-        np.add.at(mixed[..., k], rim.second, rim.weight[:, None] * np.cross(t_1[k], a))
+        np.add.at(mixed[..., k], rim.first, rim.weight[:, None] * _cross(b, t_1[k]))
+        np.add.at(mixed[..., k], rim.second, rim.weight[:, None] * _cross(t_1[k], a))
         mixed[..., k] -= rim.ends[:, None] * lever_1[k]
     # t . (a x b): d2/da_i db_j = eps_kij t_k
     skew = np.array([[0.0, t[2], -t[1]], [-t[2], 0.0, t[0]], [t[1], -t[0], 0.0]])
@@ -145,3 +145,12 @@ def cap_volume(rim: Rim, positions: np.ndarray, pitch: Motion, half: Motion) -> 
         second=t_2 @ area - lever_2 @ open_end,
         mixed=mixed,
     )
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """As np.cross of (..., 3), which takes longer to look at its arguments than to work."""
+    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    out[..., 0] = a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1]
+    out[..., 1] = a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2]
+    out[..., 2] = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return out

@@ -30,7 +30,7 @@ SHARP_SUMMIT = 1e-4
 NEAR = 2e-5
 """Distance [body sizes] at which a tangent stands for that of a state: farther off, pressures of
 elements that are out of balance make it another."""
-ACROSS_EVERY = 2
+ACROSS_EVERY = 4
 MOST_STEPS = 80
 
 
