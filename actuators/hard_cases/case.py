@@ -10,7 +10,7 @@ An entry asks one question, of one rung or of several, and says what must come o
     design = {preset = "slab-rectangle-low", chamber_count = 2, top_material = "...@nu=0.5"}
     scene = {pressure_kPa = {to = 4}, gravity_m_s2 = "none"}
     mesh = "coarse"                    # or accuracy = 0.05; rung fe only
-    outcome = "converged"              # or a list of those that are allowed
+    outcome = "converged"              # or a list of those that are allowed, or {fe = "stalled"}
     refused = "pressure"               # instead: bad input about this field
     says = "Drucker"                   # a note or the advice contains this
     budget = {seconds = 60, iterations = 400, memory_MiB = 3000}

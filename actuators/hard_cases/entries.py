@@ -59,19 +59,25 @@ def _cases(topic: str, entry: dict[str, Any]) -> list[Case]:
     rungs, slow = entry.pop("rungs"), entry.pop("slow", False)
     checks = [_check(check, where) for check in entry.pop("check", [])]
     given = entry.pop("outcome", "converged")
-    outcomes = tuple(Outcome(o) for o in ([given] if isinstance(given, str) else given))
     budget = _budget(entry.pop("budget", {}), where)
     scene = nulls(entry.pop("scene"))
     _closed(entry, {f.name for f in fields(Case)}, where)
     return [
         Case(
-            topic=topic, name=name, rung=rung, scene=scene, outcomes=outcomes, budget=budget,
+            topic=topic, name=name, rung=rung, scene=scene, outcomes=_outcomes(given, rung),
+            budget=budget,
             slow=slow if isinstance(slow, bool) else rung in slow,
             checks=tuple(c for c in checks if not c.rungs or rung in c.rungs),
             **entry,
         )
         for rung in rungs
     ]  # fmt: skip
+
+
+def _outcomes(given: Any, rung: str) -> tuple[Outcome, ...]:
+    """``given``: an outcome, a list of those allowed, or a table of either by rung."""
+    mine = given.get(rung, "converged") if isinstance(given, dict) else given
+    return tuple(Outcome(o) for o in ([mine] if isinstance(mine, str) else mine))
 
 
 def _budget(given: Table, where: str) -> Budget:

@@ -1,5 +1,6 @@
 """docs/hard_cases.md from what is stored."""
 
+import json
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,7 @@ from benchmarks.hard_cases.pictures import FOLDER
 from benchmarks.hard_cases.store import load
 
 PAGE = Path("docs/hard_cases.md")
+FUZZ = Path("docs/hard_cases_fuzz.json")
 Found = dict[str, Any]
 
 WORDS = Path(__file__).with_name("words.txt")
@@ -34,7 +36,7 @@ def text(stored: dict[str, Found]) -> str:
     counted += ", ".join(f"{n} {name}" for name, n in counts.most_common()) + "."
     if missing:
         counted += f" {missing} runs have no stored result yet and are not listed."
-    parts = [WORDS.read_text().replace("@COUNTS@", counted)]
+    parts = [WORDS.read_text().replace("@COUNTS@", counted).replace("@RANDOM@", random_runs())]
     gallery = _gallery(found)
     if gallery:
         parts.append(
@@ -48,6 +50,25 @@ def text(stored: dict[str, Found]) -> str:
         parts.append("| --- | --- | --- | --- | --- | --- | --- |\n")
         parts += [_row(f) for f in found if f["topic"] == topic]
     return "".join(parts)
+
+
+def random_runs() -> str:
+    """What the slices of random designs came to, by rung."""
+    slices: list[Found] = json.loads(FUZZ.read_text()) if FUZZ.exists() else []
+    rows = ["| rung | designs | how they ended | slowest [s] | memory [MiB] | not as it must |\n",
+            "| --- | --- | --- | --- | --- | --- |\n"]  # fmt: skip
+    for rung in dict.fromkeys(s["rung"] for s in slices):
+        mine = [s for s in slices if s["rung"] == rung]
+        ends: Counter[str] = Counter()
+        for s in mine:
+            ends.update(s["outcomes"])
+        rows.append(
+            f"| {rung} | {sum(s['ran'] for s in mine)} | "
+            f"{', '.join(f'{n} {name}' for name, n in ends.most_common())} | "
+            f"{max(s['slowest_s'] for s in mine):.2g} | {max(s['peak_MiB'] for s in mine)} | "
+            f"{sum(len(s['failures']) for s in mine)} |\n"
+        )
+    return "".join(rows)
 
 
 def worst(stored: dict[str, Found]) -> list[str]:
