@@ -5,15 +5,18 @@ from collections.abc import Sequence
 import numpy as np
 
 from actuators.materials import Material
+from actuators.mechanics.continuum.newton import TOO_DEEP
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.unmodelled import CROSSED, MOUNTED
 from actuators.mechanics.response import Outcome, PathPoint
 from actuators.mechanics.scene import Scene
 
 WAYS_OUT = {
+    TOO_DEEP: "Parts of the body far from each other meet there, edge on edge, which contact "
+    "between faces sees too late. Ask for less pressure or volume.",
     CROSSED: "Leave self-contact to the program, which then holds the walls apart.",
-    MOUNTED: "Ask for less pressure or volume, or take a shorter body: what holds the clamp is taken "
-    "to be as wide and high as the body, and to begin at its plane.",
+    MOUNTED: "Ask for less pressure or volume, or take a shorter body: what holds the clamp is "
+    "taken to be as wide and high as the body, and to begin at its plane.",
 }
 """What to do where a path ended at something that is not modelled."""
 

@@ -47,6 +47,7 @@ contact is given up."""
 MOST_STALE, SHORTER = 6, 0.8
 """Tangents in contact whose corrections are none below this share of the shortest one before: the
 state is given up, for it goes to and fro between sets of touching points."""
+TOO_DEEP = "surfaces run too deep into each other"
 NEAR = 1e-3
 """Correction [body sizes] before a tangent that takes contact pressures for those of the
 equilibrium, however high they are."""
@@ -119,8 +120,7 @@ def solve_equilibrium(
         balance = system.linearise(state, pressure, loads=target.loads, near=near)
         if not balance.admissible:
             blind = any(touch.blind for touch in balance.touches)
-            what = "surfaces run too deep into each other"
-            return Failure(what if blind else "an element is turned inside out", iterations)
+            return Failure(TOO_DEEP if blind else "an element is turned inside out", iterations)
         touches = balance.touches
         met = met or any(touch.points for touch in touches)
         iterations += 1

@@ -18,7 +18,7 @@ def underside(mesh: HexMesh) -> ContactSurface:
     """Without the sides, whose lower edges carry a share of their own where they touch."""
     surface = outside(mesh)
     kept = np.isin(surface.faces, mesh.on_first_plane(2)).all(axis=1)
-    return ContactSurface(surface.nodes, surface.faces[kept], surface.areas[kept])
+    return ContactSurface(surface.nodes, surface.faces[kept], surface.areas[kept], surface.points)
 
 
 def pressed_in_plane_strain(mesh: HexMesh, obstacle: Plate | Cylinder, depth: float):

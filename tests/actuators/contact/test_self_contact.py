@@ -5,9 +5,9 @@ import pytest
 import scipy.sparse as sp
 
 from actuators.mechanics.continuum.contact import SelfContact, Tangent, contact_law, outside
+from actuators.mechanics.continuum.contact.points import WALL_POINTS, contact_areas
 from actuators.mechanics.continuum.contact.search import PairSearch
 from actuators.mechanics.continuum.contact.surface import ContactLaw, ContactSurface
-from actuators.mechanics.continuum.kernel.contact import face_areas
 from actuators.mechanics.continuum.system import ContinuumSystem, State
 from actuators.meshing import HexMesh, mesh_body
 from tests.actuators.contact.pressed import (
@@ -26,7 +26,7 @@ GAP = 0.2e-3
 
 def contact_of(mesh: HexMesh) -> SelfContact:
     height = float(np.ptp(mesh.nodes[:, 2]))
-    return SelfContact(outside(mesh), contact_law(mesh, [RUBBER]), height)
+    return SelfContact(outside(mesh, WALL_POINTS), contact_law(mesh, [RUBBER]), height)
 
 
 def shifted_above(lattice: np.ndarray) -> np.ndarray:
@@ -128,11 +128,11 @@ def test_far_apart_it_costs_no_entry_and_no_force() -> None:
     assert not residual.any()
 
 
-def test_areas_of_the_gauss_points_add_up() -> None:
+def test_areas_of_the_points_add_up() -> None:
     mesh = mesh_body(two_blocks(GAP, shifted_above), uniform=(2, 2, 1))
     faces = mesh.outer_faces.nodes.astype(np.int64)
     expected = 2 * (2 * 10e-3**2 + 4 * 10e-3 * 5e-3)
-    assert face_areas(mesh.nodes, faces).sum() == pytest.approx(expected, rel=1e-9)
+    assert contact_areas(mesh.nodes, faces, WALL_POINTS).sum() == pytest.approx(expected, rel=1e-9)
 
 
 @pytest.mark.parametrize("gap", [0.1e-3, -2e-6])

@@ -9,6 +9,7 @@ from actuators.errors import QuestionError
 from actuators.materials import Material
 from actuators.mechanics.continuum.contact.interaction import Interaction
 from actuators.mechanics.continuum.contact.obstacle import Obstacle
+from actuators.mechanics.continuum.contact.points import WALL_POINTS
 from actuators.mechanics.continuum.contact.self_contact import SelfContact
 from actuators.mechanics.continuum.contact.surface import contact_law, inside, outside
 from actuators.mechanics.obstacles import Cylinder
@@ -36,7 +37,7 @@ def interactions(
     if scene.self_contact == "off":
         return tuple(obstacles)
     height = float(np.ptp(mesh.nodes[:, 2]))
-    outer = SelfContact(surface, law, height)
+    outer = SelfContact(outside(mesh, WALL_POINTS), law, height)
     if not len(mesh.cavity_faces.nodes):
         return (*obstacles, outer)
     return (*obstacles, SelfContact(inside(mesh), law, height, within=True), outer)

@@ -21,7 +21,7 @@ class Tangent:
 
 @dataclass(frozen=True)
 class Touch:
-    """What an interaction found: ``points`` names the Gauss points that are pressed (equal where
+    """What an interaction found: ``points`` names the points that are pressed (equal where
     the same ones are); ``blind`` says that surfaces ran so far into each other that the
     interaction may no longer see all of it."""
 

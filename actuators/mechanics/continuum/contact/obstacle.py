@@ -3,7 +3,7 @@
 import numpy as np
 
 from actuators.mechanics.continuum.contact.interaction import Tangent, Touch
-from actuators.mechanics.continuum.contact.points import GRID_VALUES, OBSTACLE_POINTS
+from actuators.mechanics.continuum.contact.points import GRID_VALUES
 from actuators.mechanics.continuum.contact.surface import (
     ContactLaw,
     ContactSurface,
@@ -13,7 +13,6 @@ from actuators.mechanics.continuum.kernel.contact import (
     CYLINDER,
     PLANE,
     add_rigid,
-    point_areas,
 )
 from actuators.mechanics.obstacles import Cylinder, Plate
 
@@ -32,9 +31,6 @@ class Obstacle:
     ) -> None:
         self.obstacle = obstacle
         self._surface, self._law = surface, law
-        points = OBSTACLE_POINTS
-        self._places = points.values
-        self._areas = point_areas(surface.nodes, surface.faces, points.slopes, points.weights)
         self._deepest = np.inf
         if isinstance(obstacle, Plate):
             normal = np.array(obstacle.normal)
@@ -95,10 +91,7 @@ class Obstacle:
 
     def contact_pressure(self, positions: np.ndarray) -> np.ndarray:
         """See :class:`Interaction`."""
-        load = law_pressure(self.gaps(positions), self._law) * self._areas
-        points = OBSTACLE_POINTS
-        now = point_areas(positions, self._surface.faces, points.slopes, points.weights)
-        return self._surface.averaged(load, now, np.abs(self._places))
+        return self._surface.nodal(positions, self.gaps(positions), self._law)
 
     def _distance(self, positions: np.ndarray) -> np.ndarray:
         """(m,) distance of the surface's nodes."""
@@ -115,11 +108,11 @@ class Obstacle:
         self, positions: np.ndarray, residual: np.ndarray, tangent: Tangent | None
     ) -> np.ndarray:
         surface, law = self._surface, self._law
-        gaps = np.empty(self._areas.shape)
+        gaps = np.empty(surface.areas.shape)
         into = tangent or Tangent(_NO_DOF, _NO_INDEX, _NO_INDEX, _NO_VALUES)
         add_rigid(
-            positions, surface.faces, self._places, self._areas, self._kind, self._shape,
-            law.stiffness, law.onset, residual, tangent is not None, into.dof, into.indptr,
-            into.indices, into.values, gaps,
+            positions, surface.faces, surface.points.values, surface.areas, self._kind,
+            self._shape, law.stiffness, law.onset, residual, tangent is not None, into.dof,
+            into.indptr, into.indices, into.values, gaps,
         )  # fmt: skip
         return gaps

@@ -2,15 +2,19 @@
 stands for.
 
 A rigid obstacle is looked for at 5 x 5 points: nodes, and the middles between them. Gauss points
-leave the edges to themselves, which entered a plate by 20 times the contact's tolerance; nodes
+leave the edges to themselves, which entered a plate by 20 times the contact's tolerance. Nodes
 alone leave a face that is pressed in part room to sag between them (by an eighth of what its next
 node is lifted), and twice as many points along each direction a quarter of that.
+
+Walls that meet each other are often meshed alike: their nodes stand just opposite to the joints of
+faces, and go to and fro between the normals on either side. They are looked at in Gauss points.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from actuators.mechanics.continuum.kernel.contact import point_areas
 from actuators.mechanics.continuum.kernel.shape import square_shape
 
 
@@ -34,5 +38,12 @@ def product_points(line: np.ndarray, weights: np.ndarray) -> FacePoints:
 
 OBSTACLE_POINTS = product_points(np.linspace(-1, 1, 5), np.array([1, 4, 2, 4, 1]) / 6)
 """Simpson's rule on either half: uniform pressure makes the nodal forces that it should."""
+WALL_POINTS = product_points(*np.polynomial.legendre.leggauss(4))
+GAUSS_POINTS = product_points(*np.polynomial.legendre.leggauss(3))
 GRID_VALUES: np.ndarray = product_points(np.linspace(-1, 1, 17), np.full(17, 2 / 17)).values
 """Shape functions on a fine grid over a face, (289, 9)."""
+
+
+def contact_areas(nodes: np.ndarray, faces: np.ndarray, points: FacePoints) -> np.ndarray:
+    """(f, q) area [m2] that each of the ``points`` of ``faces`` (f, 9) stands for."""
+    return point_areas(nodes, faces, points.slopes, points.weights)

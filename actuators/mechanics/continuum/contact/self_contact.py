@@ -48,8 +48,8 @@ class SelfContact:
         self._start = np.zeros(len(surface.faces) + 1, dtype=np.int64)
         self._candidates = np.empty(0, dtype=np.int64)
         self._looked_at: np.ndarray | None = None
-        self._partner = np.full(surface.faces.shape, -1, dtype=np.int64)
-        self._gaps = np.full(surface.faces.shape, self._reach)
+        self._partner = np.full(self._half_areas.shape, -1, dtype=np.int64)
+        self._gaps = np.full(self._half_areas.shape, self._reach)
 
     def couples(self, positions: np.ndarray) -> np.ndarray:
         """(k, 18) nodes of faces that are within reach of each other."""
@@ -68,26 +68,26 @@ class SelfContact:
             return Touch()
         believed = np.inf if into.near else MOST_TURNING * law.stiffness * law.onset
         complete = add_facing(
-            positions, self._surface.faces, self._half_areas, self._start, self._candidates,
-            self._partner, law.stiffness, law.onset, believed, residual, tangent is not None,
-            into.dof, into.indptr, into.indices, into.values,
+            positions, self._surface.faces, self._surface.points.values, self._half_areas,
+            self._start, self._candidates, self._partner, law.stiffness, law.onset, believed,
+            residual, tangent is not None, into.dof, into.indptr, into.indices, into.values,
         )  # fmt: skip
         if not complete:
             raise RuntimeError("faces touch that have no place in the matrix")
         return Touch(pressed.tobytes(), bool(self._gaps.min() < -0.5 * self._depth))
 
     def gaps(self, positions: np.ndarray) -> np.ndarray:
-        """(f, 9) distance [m] of each Gauss point to the face opposite, negative inside; no more
+        """(f, q) distance [m] of each point to the face opposite, negative inside; no more
         than the reach is seen."""
         self._look(positions)
         return self._gaps.copy()
 
     def depth(self, positions: np.ndarray) -> float:
-        """Deepest penetration of a Gauss point [m], negative where there is none."""
+        """Deepest penetration of a point [m], negative where there is none."""
         return -float(self.gaps(positions).min())
 
     def largest_pressure(self, positions: np.ndarray) -> float:
-        """Largest contact pressure at a Gauss point [Pa], per undeformed area."""
+        """Largest contact pressure at a point [Pa], per undeformed area."""
         return float(law_pressure(self.gaps(positions), self._law).max())
 
     def overlap(self, positions: np.ndarray) -> float:
@@ -99,14 +99,14 @@ class SelfContact:
         return self._surface.nodal(positions, self.gaps(positions), self._law)
 
     def _look(self, positions: np.ndarray) -> None:
-        """Find the face opposite to each Gauss point; once per positions."""
+        """Find the face opposite to each point; once per positions."""
         if self._looked_at is not None and np.array_equal(self._looked_at, positions):
             return
         self._find_candidates(positions)
         if len(self._candidates):
             find_opposite(
-                positions, self._surface.faces, self._start, self._candidates, self._reach,
-                self._depth, self._partner, self._gaps,
+                positions, self._surface.faces, self._surface.points.values, self._start,
+                self._candidates, self._reach, self._depth, self._partner, self._gaps,
             )  # fmt: skip
         else:
             self._partner[:], self._gaps[:] = -1, self._reach

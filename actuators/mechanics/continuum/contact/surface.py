@@ -7,8 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from actuators.materials import Material
-from actuators.mechanics.continuum.kernel.contact import face_areas
-from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
+from actuators.mechanics.continuum.contact.points import (
+    GAUSS_POINTS,
+    OBSTACLE_POINTS,
+    WALL_POINTS,
+    FacePoints,
+    contact_areas,
+)
 from actuators.meshing import HexMesh
 
 TOLERANCE = 2e-4
@@ -38,25 +43,23 @@ def contact_law(
 
 @dataclass(frozen=True, eq=False)
 class ContactSurface:
-    """``faces`` (f, 9) nodes, right-handed about the outward normal; ``areas`` (f, 9) [m2] of their
-    Gauss points, undeformed; ``nodes`` (n, 3) of the mesh, undeformed."""
+    """``faces`` (f, 9) nodes, right-handed about the outward normal; ``areas`` (f, q) [m2] of their
+    ``points``, undeformed; ``nodes`` (n, 3) of the mesh, undeformed."""
 
     nodes: np.ndarray
     faces: np.ndarray
     areas: np.ndarray
+    points: FacePoints = GAUSS_POINTS
 
     def nodal(self, positions: np.ndarray, gaps: np.ndarray, law: ContactLaw) -> np.ndarray:
-        """(n,) contact pressure [Pa] of distances ``gaps`` (f, 9) at the Gauss points, averaged to
-        the nodes and referred to the area as it is now."""
+        """(n,) contact pressure [Pa] of distances ``gaps`` (f, q), averaged to the nodes and
+        referred to the area as it is now."""
         load = law_pressure(gaps, law) * self.areas
-        return self.averaged(load, face_areas(positions, self.faces), np.abs(SQUARE_VALUES))
-
-    def averaged(self, load: np.ndarray, area: np.ndarray, weight: np.ndarray) -> np.ndarray:
-        """(n,) mean of ``load`` (f, q) [N] over ``area`` (f, q) [m2] at the nodes, which have these
-        shares ``weight`` (q, 9) in the points."""
-        total, share = np.zeros(len(self.nodes)), np.zeros(len(self.nodes))
+        now = contact_areas(positions, self.faces, self.points)
+        total, share = np.zeros(len(positions)), np.zeros(len(positions))
+        weight = np.abs(self.points.values)
         np.add.at(total, self.faces, load @ weight)
-        np.add.at(share, self.faces, area @ weight)
+        np.add.at(share, self.faces, now @ weight)
         return np.divide(total, share, out=np.zeros_like(total), where=share > 0)
 
 
@@ -66,16 +69,16 @@ def law_pressure(gaps: np.ndarray, law: ContactLaw) -> np.ndarray:
     return np.where(gaps <= -law.onset, -law.stiffness * gaps, soft)
 
 
-def outside(mesh: HexMesh) -> ContactSurface:
+def outside(mesh: HexMesh, points: FacePoints = OBSTACLE_POINTS) -> ContactSurface:
     """The faces that can touch something: all outer ones but those on the clamp."""
     clamp = np.zeros(len(mesh.nodes), dtype=bool)
     clamp[mesh.clamp_nodes] = True
     faces = mesh.outer_faces.nodes
     faces = np.ascontiguousarray(faces[~clamp[faces].all(axis=1)], dtype=np.int64)
-    return ContactSurface(mesh.nodes, faces, face_areas(mesh.nodes, faces))
+    return ContactSurface(mesh.nodes, faces, contact_areas(mesh.nodes, faces, points), points)
 
 
 def inside(mesh: HexMesh) -> ContactSurface:
     """The walls of the cavity."""
-    faces = np.ascontiguousarray(mesh.cavity_faces.nodes, dtype=np.int64)
-    return ContactSurface(mesh.nodes, faces, face_areas(mesh.nodes, faces))
+    faces, points = np.ascontiguousarray(mesh.cavity_faces.nodes, dtype=np.int64), WALL_POINTS
+    return ContactSurface(mesh.nodes, faces, contact_areas(mesh.nodes, faces, points), points)

@@ -25,6 +25,7 @@ def pressure_law(gap: float, stiffness: float, onset: float) -> tuple[float, flo
     return stiffness * (onset - gap) ** 2 / (4 * onset), stiffness * (onset - gap) / (2 * onset)
 
 
+@njit(cache=True)
 def face_areas(nodes: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(f, 9) area [m2] of each Gauss point at ``nodes`` (n, 3)."""
     return point_areas(nodes, faces, SQUARE_SLOPES, SQUARE_WEIGHTS)

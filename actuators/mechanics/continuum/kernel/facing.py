@@ -16,13 +16,13 @@ from actuators.mechanics.continuum.kernel.closest import (
     within,
 )
 from actuators.mechanics.continuum.kernel.contact import pressure_law, scatter_block
-from actuators.mechanics.continuum.kernel.shape import SQUARE_VALUES
 
 
 @njit(cache=True)
 def find_opposite(
     positions: np.ndarray,
     faces: np.ndarray,
+    places: np.ndarray,
     start: np.ndarray,
     candidates: np.ndarray,
     reach: float,
@@ -30,34 +30,35 @@ def find_opposite(
     partner: np.ndarray,
     gaps: np.ndarray,
 ) -> None:
-    """Nearest opposite face of each Gauss point: its place in ``candidates`` in ``partner`` (f, 9),
-    -1 where there is none within ``reach`` before or ``depth`` behind it; the distance in ``gaps``.
-    Nearest is the face itself, not what it would be beyond its edge: where two faces meet at an
-    angle, the distance would jump from one to the other.
+    """Nearest opposite face of each point of faces (f, 9) that has the shape functions ``places``
+    (q, 9): its place in ``candidates`` in ``partner`` (f, q), -1 where there is none within
+    ``reach`` before or ``depth`` behind it; the distance in ``gaps``. Nearest is the face itself,
+    not what it would be beyond its edge: where two faces meet at an angle, the distance would jump
+    from one to the other.
 
     The candidates of face f are ``candidates[start[f] : start[f + 1]]``.
     """
     value, at, where = np.empty((6, 9)), np.empty((6, 3)), np.empty(2)
-    points, normal, nodes = np.empty((9, 3)), np.empty(3), np.empty((9, 3))
+    points, normal, nodes = np.empty((len(places), 3)), np.empty(3), np.empty((9, 3))
     axes, low, high = np.empty((3, 3)), np.empty(3), np.empty(3)
-    nearest = np.empty(9)
+    nearest = np.empty(len(places))
     partner[:] = -1
     gaps[:] = reach
     for f in range(len(faces)):
         if start[f] == start[f + 1]:
             continue
-        for q in range(9):
+        for q in range(len(places)):
             for i in range(3):
                 points[q, i] = 0.0
                 for n in range(9):
-                    points[q, i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
+                    points[q, i] += places[q, n] * positions[faces[f, n], i]
         nearest[:] = np.inf
         for c in range(start[f], start[f + 1]):
             for n in range(9):
                 for i in range(3):
                     nodes[n, i] = positions[faces[candidates[c], n], i]
             bounding_box(nodes, axes, low, high)
-            for q in range(9):
+            for q in range(len(places)):
                 if not within(points[q], nodes[4], axes, low, high, reach, depth):
                     continue
                 if not project(points[q], nodes, value, at, where):
@@ -74,6 +75,7 @@ def find_opposite(
 def add_facing(
     positions: np.ndarray,
     faces: np.ndarray,
+    places: np.ndarray,
     areas: np.ndarray,
     start: np.ndarray,
     candidates: np.ndarray,
@@ -99,7 +101,7 @@ def add_facing(
     for f in range(len(faces)):
         for c in range(start[f], start[f + 1]):
             touched = False
-            for q in range(9):
+            for q in range(len(places)):
                 if partner[f, q] != c:
                     continue
                 for n in range(9):
@@ -110,7 +112,7 @@ def add_facing(
                 for i in range(3):
                     x[i] = 0.0
                     for n in range(9):
-                        x[i] += SQUARE_VALUES[q, n] * positions[faces[f, n], i]
+                        x[i] += places[q, n] * positions[faces[f, n], i]
                 project(x, nodes, value, at, where)
                 gap = signed(x, at, normal)
                 pressure, slope = pressure_law(gap, stiffness, onset)
@@ -119,10 +121,10 @@ def add_facing(
                 w = areas[f, q]
                 for n in range(9):
                     for i in range(3):
-                        gradient[3 * n + i] = SQUARE_VALUES[q, n] * normal[i]
+                        gradient[3 * n + i] = places[q, n] * normal[i]
                         gradient[27 + 3 * n + i] = -value[0, n] * normal[i]
                         for d in range(2):
-                            along[d, 3 * n + i] = SQUARE_VALUES[q, n] * at[1 + d, i]
+                            along[d, 3 * n + i] = places[q, n] * at[1 + d, i]
                             along[d, 27 + 3 * n + i] = -value[0, n] * at[1 + d, i]
                             turn[d, 3 * n + i] = 0.0
                             turn[d, 27 + 3 * n + i] = value[1 + d, n] * normal[i]
