@@ -10,7 +10,7 @@ import viser
 from backend.viewer import stage
 from backend.viewer.viser_door import GuardedServer
 
-LATEST_S = 20.0
+LATEST_S = 60.0
 """New bodies replace the old ones after this time though a page has not said that it has loaded
 them: one that cannot must not keep the others waiting."""
 
@@ -56,7 +56,7 @@ class Room:
         self._lock = threading.Lock()
         self._take: _Take | None = None
         self._waiting: _Take | None = None
-        self._loaded_by: set[str] = set()
+        self._loaded_by: dict[str, set[str]] = {}
         self._next: tuple[Bodies, int] | None = None
         self._timer: threading.Timer | None = None
         self._serial = 0
@@ -86,13 +86,14 @@ class Room:
                 self._send_next()
 
     def loaded(self, take: str, bodies: int, page: str) -> None:
-        """A page has loaded so many bodies of a take."""
+        """A page has loaded so many bodies of a take. The old ones must be there as well before
+        they go: what viser's page is told to remove while it loads it may stay for ever."""
         with self._lock:
-            waiting = self._waiting
-            if waiting is None or take != waiting.name or bodies < waiting.bodies:
-                return
-            self._loaded_by.add(page)
-            if len(self._loaded_by) >= self.guarded.connections:
+            for each in (self._take, self._waiting):
+                if each is not None and each.name == take:
+                    pages = self._loaded_by.setdefault(take, set())
+                    (pages.add if bodies >= each.bodies else pages.discard)(page)
+            if self._waiting is not None and self._is_loaded(self._take, self._waiting):
                 self._swap()
 
     def show_frame(self, index: int) -> None:
@@ -158,7 +159,6 @@ class Room:
             return
         bodies, frame = self._next
         self._next = None
-        self._loaded_by = set()
         take = self._waiting = self._send(bodies, frame, visible=False)
         if self.guarded.connections == 0:
             self._swap()
@@ -166,6 +166,12 @@ class Room:
         self._timer = threading.Timer(LATEST_S, self._when_late, args=[take])
         self._timer.daemon = True
         self._timer.start()
+
+    def _is_loaded(self, *takes: _Take | None) -> bool:
+        pages = self.guarded.connections
+        return all(
+            take is None or len(self._loaded_by.get(take.name, ())) >= pages for take in takes
+        )
 
     def _when_late(self, take: _Take) -> None:
         with self._lock:
@@ -176,6 +182,8 @@ class Room:
         if self._timer is not None:
             self._timer.cancel()
         old, self._take = self._take, self._waiting
+        if old is not None:
+            self._loaded_by.pop(old.name, None)
         self._waiting = self._timer = None
         with self.guarded.server.atomic():
             if self._take is not None:
