@@ -16,7 +16,7 @@ from storage import tables
 from storage.jobs import jobs_where
 from storage.question import question_digest
 from storage.results import closed_result
-from storage.rows import ClaimedJob, Hold, JobRow
+from storage.rows import ClaimedJob, Hold, JobRow, ResultRow
 from storage.submission import Submission
 
 LEASE = timedelta(seconds=9)
@@ -130,11 +130,8 @@ class Claims(Submission):
             found = jobs_where(connection, _held(job_id, attempt))
             if not found:
                 return False
-            job = found[0]
-            names = ("digest", "design_digest", "scene_digest", "rung", "accuracy", "mesh")
-            question = {name: getattr(job, name) for name in (*names, "science_version")}
-            answer = self._store_result(connection, question, document, arrays)
-            self._close_done(connection, job, answer.document)
+            answer = self._store_answer(connection, found[0], document, arrays)
+            self._close_done(connection, found[0], answer.document)
             return True
 
     def fail(self, job_id: str, attempt: int, error: str) -> bool:
@@ -145,11 +142,20 @@ class Claims(Submission):
             self._close_failed(connection, job_id, error)
             return True
 
-    def confirm_cancel(self, job_id: str, attempt: int) -> bool:
-        """The worker has stopped for a cancel."""
+    def confirm_cancel(
+        self, job_id: str, attempt: int, document: Mapping[str, Any] | None = None,
+        arrays: bytes = b"",
+    ) -> bool:  # fmt: skip
+        """The worker has stopped for a cancel; ``document`` and ``arrays``: what it found by
+        then."""
         with self._write() as connection:
-            if not jobs_where(connection, _held(job_id, attempt)):
+            found = jobs_where(connection, _held(job_id, attempt))
+            if not found:
                 return False
+            if document is not None:
+                self._store_answer(connection, found[0], document, arrays)
+                values = {"outcome": document["outcome"], "advice": document.get("advice")}
+                connection.execute(update(tables.job).where(_held(job_id, attempt)).values(values))
             self._end_cancelled(connection, job_id)
             return True
 
@@ -186,6 +192,13 @@ class Claims(Submission):
             for job in jobs_where(connection, expired):
                 self._give_back(connection, job, lost=True)
             return self._publish(connection)
+
+    def _store_answer(
+        self, connection: Connection, job: JobRow, document: Mapping[str, Any], arrays: bytes
+    ) -> ResultRow:
+        names = ("digest", "design_digest", "scene_digest", "rung", "accuracy", "mesh")
+        question = {name: getattr(job, name) for name in (*names, "science_version")}
+        return self._store_result(connection, question, document, arrays)
 
     def _publish(self, connection: Connection) -> list[str]:
         """Ids to send a message for: new ones, and those whose message seems to be lost."""

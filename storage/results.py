@@ -33,7 +33,7 @@ class Results(Database):
     ) -> ResultRow | None:
         """Stored answer of a rung for a design in a scene, whoever asked: the newest of the
         most accurate; one on a mesh that was asked for only where there is no other. It may come
-        from an older ``science_version``."""
+        from an older ``science_version``. Never the part that a cancelled job had found."""
         r = tables.result
         query = (
             select(r)
@@ -41,6 +41,7 @@ class Results(Database):
                 r.c.design_digest == parse_design(document).digest,
                 r.c.scene_digest == Scene.from_document(scene).digest,
                 r.c.rung == rung,
+                r.c.outcome != "cancelled",
             )
             .order_by(r.c.mesh.is_not(None), r.c.accuracy, r.c.created_at.desc())
             .limit(1)

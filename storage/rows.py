@@ -95,6 +95,11 @@ class JobRow:
     def active(self) -> bool:
         return self.state in ("queued", "running")
 
+    @property
+    def has_answer(self) -> bool:
+        """Whether there is a result: of a job that was cancelled, the part found by then."""
+        return self.state == "done" or (self.state == "cancelled" and self.outcome is not None)
+
     def elapsed_s(self, now: datetime | None = None) -> float | None:
         """Seconds computed so far, or in all; None before the start."""
         if self.started_at is None:

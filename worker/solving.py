@@ -13,7 +13,7 @@ from actuators.mechanics.scene import Scene
 from storage import ClaimedJob, Store, StoreAway
 from storage.question import science_version
 from storage.response_arrays import pack
-from worker.keeper import Keeper
+from worker.keeper import Keeper, Stop
 from worker.rungs import RUNGS
 
 _logger = logging.getLogger(__name__)
@@ -40,9 +40,9 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
     try:
         response = _solve(job, keeper)
         if response.outcome is Outcome.CANCELLED:
-            if keeper.stop != "budget":
+            if keeper.stop != "budget" and len(response.path) < 2:
                 return lambda: _insist(lambda: store.confirm_cancel(job.id, job.attempt))
-            response = _part_found(response, job)
+            response = _part_found(response, job, keeper.stop)
         document, arrays = response.to_document(), pack(response)
     except InputError as error:
         message = str(error)
@@ -51,6 +51,10 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
         message = f"The solver failed ({type(error).__name__}: {str(error)[:200]}). "
         message += f"The worker's log has the details of job {job.id}."
     else:
+        if response.outcome is Outcome.CANCELLED:
+            return lambda: _insist(
+                lambda: store.confirm_cancel(job.id, job.attempt, document, arrays)
+            )
         return lambda: _insist(lambda: store.finish(job.id, job.attempt, document, arrays))
     return lambda: _insist(lambda: store.fail(job.id, job.attempt, message))
 
@@ -66,7 +70,11 @@ def _solve(job: ClaimedJob, keeper: Keeper) -> Response:
     )
 
 
-def _part_found(response: Response, job: ClaimedJob) -> Response:
+def _part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Response:
+    if stop != "budget":
+        return replace(
+            response, advice="Run it again for the rest of the path; it starts from the beginning."
+        )
     return replace(
         response, outcome=Outcome.BUDGET_SPENT,
         advice=f"The time budget of {job.budget_s / 60:.0f} min was spent; this is the part of "

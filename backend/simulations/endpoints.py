@@ -75,5 +75,5 @@ def cancel_job(job_id: str, store: Storage) -> Job:
 
 @router.get("/jobs/{job_id}/result")
 def get_job_result(job_id: str, store: Storage) -> ResultDocument:
-    """The result document of a done job."""
+    """The result document of a job that has an answer."""
     return jobs.result(store, job_id)

@@ -39,9 +39,9 @@ def cancel(store: Store, job_id: str) -> Job:
 
 
 def result(store: Store, job_id: str) -> ResultDocument:
-    """The stored answer of a job; 404 while there is none."""
+    """The stored answer of a job, of a cancelled one the part found; 404 where there is none."""
     job = store.get_job(job_id)
-    if job.state != "done":
+    if not job.has_answer:
         raise NotFoundError("result of job", job_id)
     return ResultDocument.model_validate(store.get_result(job.digest).document)
 
@@ -64,6 +64,7 @@ def as_job(row: JobRow) -> Job:
         pressure_kPa=None if row.pressure is None else row.pressure / 1e3,
         state=row.state,
         outcome=row.outcome,
+        has_answer=row.has_answer,
         advice=row.advice,
         fraction=row.fraction,
         message=row.message,

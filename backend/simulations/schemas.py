@@ -172,7 +172,11 @@ class Job(Answer):
     )
     pressure_kPa: float | None = Field(description="How far the solver is [kPa]")
     state: JobState
-    outcome: str | None = Field(description="Of a done job, as in a result document")
+    outcome: str | None = Field(description="Of the answer, as in a result document")
+    has_answer: bool = Field(
+        description="Whether there is a result to read and to show; of a cancelled job it is the "
+        "part of the path that was found by then"
+    )
     advice: str | None
     fraction: float = Field(description="Progress, 0 to 1")
     message: str

@@ -38,7 +38,7 @@ class InstantSource(Body):
 
 
 class JobSource(Body):
-    """Show the stored result of a finished job."""
+    """Show the stored result of a job; of a path that ended early, the part that was found."""
 
     kind: Literal["job"]
     job_id: str

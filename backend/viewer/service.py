@@ -133,7 +133,7 @@ def _answered_film(source: InstantSource, answered: Kept) -> Film:
 
 def _job_film(store: Store, shelf: Shelf, job_id: str) -> Film:
     job = store.get_job(job_id)
-    if job.state != "done":
+    if not job.has_answer:
         raise NotFoundError("result of job", job_id)
     result = store.get_result(job.digest)
     sha256 = result.artifact_sha256

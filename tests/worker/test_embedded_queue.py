@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.worker.processes import Queue, embedded_queue, kill_group
+from tests.worker.processes import SLAB, Queue, embedded_queue, kill_group
 
 
 @pytest.fixture
@@ -60,6 +60,11 @@ def test_a_running_job_is_cancelled_within_two_seconds(running: Queue) -> None:
     assert row.state == "cancelled"
     assert row.fraction < 1
     assert time.monotonic() - asked < 2
+    # what was found by then is kept, and answers nothing but this job
+    assert row.has_answer
+    assert row.advice is not None
+    assert 1 < len(running.store.get_result(row.digest).document["path"]) < 41
+    assert running.store.best_result(SLAB, row.scene, "energy") is None
 
 
 def test_a_queued_job_is_cancelled_at_once_and_never_starts(running: Queue) -> None:

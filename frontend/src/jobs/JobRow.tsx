@@ -79,7 +79,7 @@ export function JobRow({ job, here, answers, shown }: JobRowProps) {
       <td className="job-elapsed">{elapsed === null ? "" : formatSeconds(elapsed)}</td>
       <td className="job-tools">
         {active && <CancelButton job={job} />}
-        {job.state === "done" && answers && <ShowButton job={job} shown={shown} />}
+        {job.has_answer && answers && <ShowButton job={job} shown={shown} />}
       </td>
     </tr>
   );

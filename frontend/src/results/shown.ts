@@ -8,7 +8,7 @@ import { readDesign, sameDesign, type Work } from "../workbench/document";
 import { readLoads, sameButEnd } from "../workbench/loads";
 import { bench } from "../workbench/workbench";
 
-/** A job's id, or the newest finished one of the open version, or none. */
+/** A job's id, or the newest answered one of the open version, or none. */
 export type Choice = { readonly kind: "newest" } | { readonly kind: "none" } | { readonly kind: "job"; readonly id: string };
 
 export const shownJob = new Store<Choice>({ kind: "newest" });
@@ -21,7 +21,7 @@ export interface ShownFe {
 }
 
 export function hasResult(job: Job): boolean {
-  return job.state === "done";
+  return job.has_answer;
 }
 
 function newestDone(jobs: readonly Job[]): Job | null {

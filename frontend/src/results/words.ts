@@ -2,6 +2,7 @@
 import type { Job, Result } from "../api/types";
 import { formatQuantity } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
+import { reached } from "./reached";
 
 const OUTCOMES: Record<string, string> = {
   converged: "Reached the end of the path.",
@@ -80,7 +81,10 @@ export function stateInWords(job: Job): string {
 /** The sentence under a job: what it does, or why it ended. */
 export function jobSentence(job: Job): string {
   if (job.state === "failed") return job.error ?? "The job failed without a reason.";
-  if (job.state === "cancelled") return job.message || "Cancelled before it gave a result.";
+  if (job.state === "cancelled") {
+    if (job.has_answer) return [outcomeInWords("cancelled"), job.advice].filter(Boolean).join(" ");
+    return "Cancelled before any point of the path was found.";
+  }
   if (job.state === "done") {
     if (job.outcome === "converged" && job.from_store) return "The same question was answered before.";
     return [job.outcome && outcomeInWords(job.outcome), job.advice].filter(Boolean).join(" ");
@@ -88,4 +92,23 @@ export function jobSentence(job: Job): string {
   if (job.state === "queued") return job.message || "Waiting for a worker.";
   const again = job.lost > 0 ? `Taken up again after its worker was lost (attempt ${job.attempt}). ` : "";
   return again + job.message;
+}
+
+const ENDS: Record<string, string> = {
+  limit_point: "limit point",
+  stalled: "beyond it no equilibrium was found",
+  cancelled: "cancelled",
+  budget_spent: "time used up",
+};
+
+/** How far a path was found that ended before what was asked: "found up to 12.2 of 40 kPa (limit
+ * point)"; null where it went all the way. */
+export function earlyEnd(result: Result, asked: number | null, control: Control): string | null {
+  if (result.outcome === "converged") return null;
+  const end = reached(result, control);
+  const why = ENDS[result.outcome] ?? result.outcome.replaceAll("_", " ");
+  if (end === null) return why;
+  const unit = control === "pressure" ? "kPa" : "ml";
+  const of = asked === null ? "" : ` of ${formatQuantity(asked)}`;
+  return `found up to ${formatQuantity(end, 3)}${of} ${unit} (${why})`;
 }

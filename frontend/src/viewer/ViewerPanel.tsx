@@ -11,6 +11,7 @@ import { Busy, Empty } from "../ui/Notice";
 import { Segmented } from "../ui/Segmented";
 import { answers } from "../workbench/answers";
 import { ColourLegend } from "./ColourLegend";
+import { PathEnd } from "./PathEnd";
 import { ScrubBar } from "./ScrubBar";
 import { colourFor, setViewer, viewerSettings } from "./settings";
 import { useSource } from "./source";
@@ -142,6 +143,7 @@ function Stage() {
       {state.phase === "ready" && !lost && (
         <>
           <ColourLegend content={state.content} busy={state.busy} />
+          <PathEnd />
           <div className="cameras" role="group" aria-label="Camera">
             {CAMERAS.map((camera) => (
               <button key={camera.value} type="button" title={camera.title} onClick={() => setCamera(camera.value)}>
