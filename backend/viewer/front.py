@@ -44,6 +44,25 @@ addEventListener("unhandledrejection", (event) => {
 # are in place, and tells the room, which lets new bodies take the old ones' place only then.
 LOADED = """<script>
 {
+  // two takes are never shown together: one that stays beside a newer one was removed while it was
+  // being put in place, and belongs to nobody any more
+  let both = 0;
+  const tidy = () => {
+    const seen = new Map(), shown = new Set();
+    const walk = (node, visible) => {
+      const on = visible && node.visible, {take} = node.userData;
+      if (take) (seen.get(take) ?? seen.set(take, []).get(take)).push(node);
+      if (take && on) shown.add(take);
+      for (const child of node.children) walk(child, on);
+    };
+    for (const scene of scenes) walk(scene, true);
+    both = shown.size > 1 ? both + 1 : 0;
+    if (both < 25) return;
+    const newest = [...told.keys()].filter((take) => shown.has(take)).at(-1);
+    for (const take of shown) {
+      if (take !== newest) for (const node of seen.get(take)) node.removeFromParent();
+    }
+  };
   const scenes = new Set(), told = new Map(), page = Math.random().toString(36);
   window.__THREE_DEVTOOLS__ = new EventTarget();
   window.__THREE_DEVTOOLS__.addEventListener("observe", ({detail}) => {
@@ -54,6 +73,7 @@ LOADED = """<script>
     for (const scene of scenes) scene.traverse(({userData: {take}}) => {
       if (take) found.set(take, (found.get(take) ?? 0) + 1);
     });
+    tidy();
     for (const take of told.keys()) if (!found.has(take)) told.delete(take);
     for (const [take, bodies] of found) {
       if (told.get(take) === bodies) continue;
