@@ -30,6 +30,8 @@ SHARP_SUMMIT = 1e-4
 NEAR = 2e-5
 """Distance [body sizes] at which a tangent stands for that of a state: farther off, pressures of
 elements that are out of balance make it another."""
+CRAWL = 1e-4
+"""Step over the range (or the volume) below which steps that go on shrinking lead nowhere."""
 ACROSS_EVERY = 4
 MOST_STEPS = 80
 
@@ -106,6 +108,8 @@ class Follower:
                     if wanted == goal:
                         return True
                     step = abs(wanted - last.pressure) * _pace(found)
+                    if _pace(found) < 1.0 and step < CRAWL * abs(goal):
+                        return False
                     continue
             step = abs(wanted - last.pressure) / 3
             if step < SMALLEST_STEP * abs(goal) * (20 if len(points) > 3 else 1):
@@ -149,7 +153,10 @@ class Follower:
             points.append(point)
             trail.append(point)
             step *= _pace(found)
-        course.outcome, course.reason = Outcome.STALLED, "too many steps"
+            if _pace(found) < 1.0 and step < CRAWL * last.volume:
+                break
+        course.outcome = Outcome.STALLED
+        course.reason = "too many steps, or ever smaller ones"
 
     def _finish(self, last: Point, beyond: Point) -> None:
         """The goal's pressure, which lies between two points."""
