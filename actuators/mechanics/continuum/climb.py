@@ -68,7 +68,8 @@ class Climb:
                 break
             limit = refinement.limit_pressure(anchor, rest)
             finer = measure(anchor.system, anchor.found, limit)
-            answer.errors = estimates(change(measured, finer), layers)
+            moved = change(measured, finer)
+            answer.errors = estimates(moved, layers, walls_meet=finer.walls_meet)
             before, measured, best = anchor, finer, (refinement, anchor, rest)
             if all(answer.errors.get(name, 0.0) <= accuracy for name in JUDGED):
                 break
