@@ -136,7 +136,9 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
     solved, short = _to_the_end(question, scene, steps)
     ended = time.perf_counter()
     found = len(solved.path.positions)
-    outcome, advice = advice_of(question.paths, scene, solved.pressures, found, short=short)
+    outcome, advice = advice_of(
+        question.paths, scene, solved.pressures, found, loads=solved.path.loads, short=short
+    )
     response = Response(
         design=design,
         scene=scene,

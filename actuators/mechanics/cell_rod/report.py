@@ -28,9 +28,17 @@ chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the
 
 
 def advice_of(
-    paths: Sequence[CellPath], scene: Scene, pressures: np.ndarray, found: int, *, short: bool
-) -> tuple[Outcome, str | None]:
-    """How the path ended, and what to do about it."""
+    paths: Sequence[CellPath], scene: Scene, pressures: np.ndarray, found: int, *,
+    loads: float, short: bool,
+) -> tuple[Outcome, str | None]:  # fmt: skip
+    """How the path ended, and what to do about it. ``pressures`` (k,), of which the first
+    ``found`` were; ``loads``: share of weight and outer loads borne before any inflation."""
+    if loads < 1.0:
+        return Outcome.STALLED, (
+            f"The rod found no equilibrium under {_named_loads(scene)}, before any inflation. "
+            f"Shown is the body under {loads:.0%} of that. Lower these loads, make the body "
+            "stiffer, or use the rung fe."
+        )
     if found < len(pressures):
         lost = pressures[found] / 1e3
         return Outcome.STALLED, (
@@ -40,21 +48,41 @@ def advice_of(
     if not short:
         return Outcome.CONVERGED, None
     limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
-    end = pressures[-1] / 1e3
     if limits:
-        limit = min(limits, key=abs) / 1e3
-        more = (
-            "Stay below it, thicken the roof or take a stiffer top material."
-            if scene.volume_to is None
-            else "Use the rung fe to go on: beyond it chambers grow unequally."
-        )
-        return Outcome.LIMIT_POINT, (
-            f"No equilibrium above {limit:.4g} kPa: there the chamber's pressure has its maximum. "
-            f"{more}"
-        )
+        return Outcome.LIMIT_POINT, _beyond_the_limit(min(limits, key=abs), scene)
+    end = pressures[-1] / 1e3
     return Outcome.STALLED, (
-        f"The inflated chamber was found up to {end:.4g} kPa only. Use the rung fe beyond."
+        f"The periodic chamber was found {'up' if end >= 0.0 else 'down'} to {end:.4g} kPa only. "
+        "Use the rung fe beyond."
     )
+
+
+def _beyond_the_limit(limit: float, scene: Scene) -> str:
+    """Advice where the chamber's pressure has its maximum, of suction its minimum [Pa]."""
+    beyond, kept, extreme, change = (
+        ("above", "below", "maximum", "balloon")
+        if limit >= 0.0
+        else ("below", "above", "minimum", "collapse")
+    )
+    if scene.pressure_to is None:
+        return (
+            f"No equilibrium {beyond} {limit / 1e3:.4g} kPa: there the chamber's pressure has its "
+            f"{extreme}. Use the rung fe to go on: beyond it chambers {change} unequally."
+        )
+    return (
+        f"No equilibrium {beyond} {limit / 1e3:.4g} kPa ({scene.pressure_to / 1e3:.4g} kPa were "
+        f"asked for): there the chamber's pressure has its {extreme}, and beyond it the chambers "
+        f"would {change}. Stay {kept} it, thicken the roof or take a stiffer top material."
+    )
+
+
+def _named_loads(scene: Scene) -> str:
+    loads = ["its own weight"] if any(scene.gravity or ()) else []
+    if scene.outside_pressure != 0.0:
+        loads.append(f"{scene.outside_pressure / 1e3:.4g} kPa outside")
+    if scene.tip_force is not None:
+        loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
+    return " and ".join(loads) or "no load"
 
 
 def trusted_to(paths: Sequence[CellPath], pressures: np.ndarray) -> float | None:

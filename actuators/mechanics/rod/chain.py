@@ -60,7 +60,7 @@ class Obstacles(NamedTuple):
 
     ``kind``: (o,) 0 plate, 1 cylinder; ``place``: (o, 3) a point of the plate or of the cylinder's
     axis; ``direction``: (o, 3) the plate's normal or the axis; ``radius``: (o,) [m]. The force per
-    length and depth is ``stiffness`` [Pa]; it begins ``softness`` [m] before the surface.
+    length and depth is ``stiffness`` [Pa]; it sets in over ``2 softness`` [m] below the surface.
     """
 
     across: np.ndarray

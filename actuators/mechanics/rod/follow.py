@@ -11,16 +11,18 @@ from actuators.mechanics.rod.solve import RodPath
 from actuators.mechanics.rod.touching import obstacle_forces
 
 _SOFTER = (1e3, 1e2, 10.0, 1.0)  # an obstacle met at once is met softly first
-_PARTS = (4, 16, 64)
+_FIRST_SHARE, _SMALLEST_SHARE = 1 / 4, 1 / 64  # of loads that cannot be put on at once
 
 
 @dataclass(frozen=True, eq=False)
 class LoadedPath(RodPath):
     """``obstacle_force``: (k, o, 3) of the rod on every obstacle [N]; ``penetration``: (k, o)
-    [m]."""
+    [m]; ``loads``: share of weight and outer loads that could be put on; below 1 the path is the
+    one shape under that share."""
 
     obstacle_force: np.ndarray
     penetration: np.ndarray
+    loads: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,18 +54,21 @@ class Laws:
 
 def follow_laws(laws: Laws, chain: Chain, obstacles: Obstacles) -> LoadedPath:
     """Equilibrium under every law, each begun from the last; the path ends before the first that
-    has none."""
+    has none. Where that is the first of all, it holds the shape under the largest share of the
+    loads that was found, at worst the unloaded one."""
     found: list[np.ndarray] = []
-    total = 0
+    total, loads = 0, 1.0
     before: Law | None = None
     for n in range(len(laws.free)):
         law = laws.at(n)
-        count, strain = _next(found, laws.free, before, law, chain, obstacles)
+        count, strain, share = _next(found, laws.free, before, law, chain, obstacles)
         total += count
-        if strain is None:
+        if share < 1.0 and n > 0:
             break
         found.append(strain)
-        before = law
+        before, loads = law, share
+        if share < 1.0:
+            break
     shapes = [sheared_shape(e, chain.length) for e in found]
     s, o = len(chain.length), len(obstacles.kind)
     pressed = [obstacle_forces(x[::2], r[::2], obstacles) for x, r in shapes]
@@ -74,39 +79,39 @@ def follow_laws(laws: Laws, chain: Chain, obstacles: Obstacles) -> LoadedPath:
         iterations=total,
         obstacle_force=np.array([force for force, _ in pressed]).reshape(len(found), o, 3),
         penetration=np.array([depth for _, depth in pressed]).reshape(len(found), o),
+        loads=loads,
     )
 
 
 def _next(
     found: list[np.ndarray], free: np.ndarray, before: Law | None, law: Law, chain: Chain,
     obstacles: Obstacles,
-) -> tuple[int, np.ndarray | None]:  # fmt: skip
+) -> tuple[int, np.ndarray, float]:  # fmt: skip
     """Equilibrium under ``law``: ahead of the last ones; if not so, from the last one in smaller
-    steps; if not so, from the free rod with the loads in parts. And iterations."""
+    steps; if not so, from the free rod with the loads in shares. Iterations, the strains, and under
+    which share of the loads they are: the largest found."""
     n = len(found)
     held = [strain - free[k] for k, strain in enumerate(found)][-2:]
     start = free[n] + sum(held[-1:], np.zeros(1))
     ahead = start + held[1] - held[0] if len(held) == 2 else start
     total, strain = _meet(ahead, chain, law, obstacles)
     if strain is not None:
-        return total, strain
+        return total, strain, 1.0
     if before is not None:
         for parts in (2, 8, 32):
             count, strain = _between(found[-1], before, law, parts, chain, obstacles)
             total += count
             if strain is not None:
-                return total, strain
-    for parts in _PARTS:
-        strain = law.free
-        for part in range(1, parts + 1):
-            lighter = chain.scaled(part / parts)
-            count, strain = _meet(strain, lighter, law, obstacles)
-            total += count
-            if strain is None:
-                break
-        if strain is not None:
-            return total, strain
-    return total, None
+                return total, strain, 1.0
+    most, share, step = law.free, 0.0, _FIRST_SHARE
+    while share < 1.0 and step >= _SMALLEST_SHARE:
+        count, strain = _meet(most, chain.scaled(share + step), law, obstacles)
+        total += count
+        if strain is None:
+            step /= 4
+        else:
+            most, share = strain, share + step
+    return total, most, share
 
 
 def _between(

@@ -1,7 +1,7 @@
 """Forces of rigid obstacles on the borders of a rod, with their derivatives (compiled).
 
-The potential of a point is that of 3D contact: the gap g pushes with a force that is linear beyond
-g = -softness and joins zero by a parabola at g = +softness.
+The gap g pushes with a force that is linear beyond g = -2 softness and joins zero by a parabola at
+g = 0: what only touches does not press.
 """
 
 import math
@@ -39,11 +39,11 @@ def gap(kind: int, place: np.ndarray, direction: np.ndarray, radius: float, at: 
 @nb.njit(cache=True)
 def push(depth: float, softness: float) -> tuple[float, float]:
     """Force per stiffness at the gap ``-depth`` [m], and its growth with the depth."""
-    if depth <= -softness:
+    if depth <= 0.0:
         return 0.0, 0.0
-    if depth >= softness:
-        return depth, 1.0
-    return (depth + softness) ** 2 / (4 * softness), (depth + softness) / (2 * softness)
+    if depth >= 2 * softness:
+        return depth - softness, 1.0
+    return depth**2 / (4 * softness), depth / (2 * softness)
 
 
 @nb.njit(cache=True)

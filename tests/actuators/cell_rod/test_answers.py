@@ -137,10 +137,11 @@ def test_outer_loads_lift_the_tip(rung: str) -> None:
     assert height(Scene(4e3, steps=4, outside_pressure=50.0)) > bare + 2e-3
 
 
-def test_another_load_costs_no_cell() -> None:
+def test_another_load_costs_no_cell(monkeypatch: pytest.MonkeyPatch) -> None:
     ask(Scene(4e3))
+    monkeypatch.delattr("actuators.mechanics.cell.inflated_cache.inflate_cell")
     again = ask(Scene(4e3, gravity=(0.0, 0.0, -5.0), tip_force=(0.0, 0.0, 0.02)))
-    assert again.timings["cell"] < again.wall_s / 2
+    assert again.outcome is Outcome.CONVERGED
 
 
 def test_the_web_process_does_not_load_the_3d_solver_with_the_instant_rungs() -> None:
