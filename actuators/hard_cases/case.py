@@ -25,8 +25,9 @@ A ``design`` is a preset with changes in border units by plain name, or a whole 
 second question: what it changes of the first (``rung``, ``mesh``, ``design``, ``scene``), and
 ``scaled = {length = 1e-3, modulus = 1e4}`` (the same body in other units, where every answer
 follows from dimensional analysis), ``disturbed = 1e-12`` (every length and load, at random),
-``shuffled = true`` (nodes and elements in another order), ``threads = 2``. ``factor`` multiplies
-the second answer. Every case is checked besides for what must hold always, see :mod:`verdict`.
+``shuffled = true`` (nodes and elements in another order), ``threads = 2``. It must end as the case
+itself may, or as its ``outcome`` says. ``factor`` multiplies the second answer. Every case is checked besides for what must hold always, see
+:mod:`verdict`.
 """
 
 from collections.abc import Mapping
@@ -55,7 +56,7 @@ class Scaling:
 
 @dataclass(frozen=True)
 class Variation:
-    """What a second question changes of the first."""
+    """What a second question changes of the first. ``outcome``: how it ends; None as the case."""
 
     rung: str | None = None
     mesh: str | None = None
@@ -65,6 +66,7 @@ class Variation:
     disturbed: float = 0.0
     shuffled: bool = False
     threads: int | None = None
+    outcome: str | None = None
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from actuators.hard_cases.question import question
 from actuators.hard_cases.verdict import always, expected
 from actuators.mechanics.cell.cache import forget_cells
 from actuators.mechanics.cell.inflated_cache import forget_paths
-from actuators.mechanics.response import Response
+from actuators.mechanics.response import Outcome, Response
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +104,8 @@ def _other(case: Case, like: Variation) -> dict[str, Any]:
         return _in_another_process(case, like.threads)
     _forget()
     other = ask(question(case, like), case.budget)
-    if other.outcome not in case.outcomes:
+    allowed = case.outcomes if like.outcome is None else (Outcome(like.outcome),)
+    if other.outcome not in allowed:
         raise QuestionError(f"it ended as {other.outcome.value}: {other.advice}", field="like")
     return other.to_document()
 
