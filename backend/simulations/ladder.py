@@ -28,12 +28,14 @@ BESIDE = Rung("cell-rod")
 
 @dataclass(eq=False)
 class _Known:
-    """What is there about one question. ``jobs``: under way, by rung."""
+    """What is there about one question, by rung. ``jobs``: under way. ``parts``: what runs had
+    found that were cancelled or ran out of time."""
 
     answers: list[Answer] = field(default_factory=list)
     refusals: dict[Rung, str] = field(default_factory=dict)
     spent: dict[Rung, float] = field(default_factory=dict)
     jobs: dict[Rung, str] = field(default_factory=dict)
+    parts: dict[Rung, Answer] = field(default_factory=dict)
 
 
 def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswer:
@@ -53,6 +55,11 @@ def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswe
     document = built.to_document(choices)
     for point, entry in zip(built.points, document["points"], strict=True):
         entry["job_id"] = known.jobs.get(point.rung)
+        part = known.parts.get(point.rung)
+        if part is not None and point.state == "predicted":
+            entry["outcome"] = part.outcome.value
+            if len(part.pressure):
+                entry["ends_at_kPa"] = 1e-3 * float(part.pressure[-1])
     return LadderAnswer.model_validate(document)
 
 
@@ -80,7 +87,7 @@ def _take(aside: Kept | None, known: _Known) -> None:
 
 def _read_results(store: Store, design: Design, scene: Scene, known: _Known) -> None:
     """Stored answers of rungs not asked just now; of each the one of this version, else the
-    newest."""
+    newest. One cut short leaves its rung predicted; a mesh that was asked for stands by itself."""
     rows = store.results_of(design.to_document(), scene.to_document())
     rows.sort(key=lambda row: row.science_version != science_version())  # stable: newest first
     seen = {answer.rung for answer in known.answers} | set(known.refusals)
@@ -89,11 +96,13 @@ def _read_results(store: Store, design: Design, scene: Scene, known: _Known) -> 
         if rung in seen:
             continue
         seen.add(rung)
-        if row.outcome in OPEN_OUTCOMES:
-            known.spent[rung] = float(row.document.get("wall_s") or 0.0)
-            continue
         is_older = row.science_version != science_version()
-        known.answers.append(Answer.of_document(row.document, rung, is_older=is_older))
+        answer = Answer.of_document(row.document, rung, is_older=is_older)
+        if row.outcome in OPEN_OUTCOMES and rung.mesh is None:
+            known.spent[rung] = answer.seconds
+            known.parts[rung] = answer
+        else:
+            known.answers.append(answer)
 
 
 def _read_jobs(store: Store, design: Design, scene: Scene, known: _Known) -> None:

@@ -70,7 +70,10 @@ class LadderPoint(Answer):
     apart_percent: Apart | None
     compared_at_kPa: float | None = Field(description="Last pressure that both answers have")
     is_best: bool = Field(description="The best answer so far")
-    outcome: str | None = Field(description="Of a measured rung, as in a result document")
+    outcome: str | None = Field(
+        description="How its path ended, as in a result document; of a predicted rung that of a "
+        "run cut short (cancelled, budget_spent)"
+    )
     advice: str | None
     reason: str | None = Field(description="Why it is refused, or that it was stopped early")
     same_as: str | None = Field(
@@ -78,7 +81,7 @@ class LadderPoint(Answer):
         "would repeat it"
     )
     tip_displacement_mm: Triple | None = Field(description="At the end of its path [mm]")
-    ends_at_kPa: float | None = Field(description="Where its path ends [kPa]")
+    ends_at_kPa: float | None = Field(description="Where its path ends, or was cut short [kPa]")
     leaves_out: list[str] = Field(description="What of the physics it never holds")
     is_older: bool = Field(description="Computed by an older version of the science")
     job_id: str | None = Field(description="Job that is computing it now")

@@ -20,11 +20,11 @@ ASKED = {"run": ["closed-form", "energy"]}
 
 def finish(
     client: TestClient, *, accuracy: float, seconds: float, percent: float | None,
-    outcome: str = "converged", scene: dict[str, Any] = QUESTION,
+    outcome: str = "converged", scene: dict[str, Any] = QUESTION, mesh: str | None = None,
 ) -> None:  # fmt: skip
     """A job computed by a worker: the energy rung's path under the name of finite elements."""
     store: Store = client.app.state.store  # type: ignore[attr-defined]
-    body = {"version_id": saved(client)["id"], "scene": scene, "accuracy": accuracy}
+    body = {"version_id": saved(client)["id"], "scene": scene, "accuracy": accuracy, "mesh": mesh}
     job = client.post("/api/jobs", json=body).json()
     taken = store.claim(job["id"], worker="w1@bench", science_version=science_version())
     assert taken is not None
@@ -85,6 +85,18 @@ def test_a_job_cut_short_by_its_budget_raises_what_is_expected(tmp_path: Any) ->
     assert point["state"] == "predicted"
     assert point["seconds"]["low"] > 500.0
     assert "stopped after" in point["reason"]
+    assert (point["outcome"], point["ends_at_kPa"]) == ("budget_spent", 4.0)
+
+
+def test_a_run_on_one_mesh_is_a_point_of_its_own_however_it_ended(tmp_path: Any) -> None:
+    for outcome in ("converged", "limit_point", "cancelled"):
+        with client_on(settings_in(tmp_path / outcome)) as client:
+            finish(client, accuracy=0.05, seconds=7.0, percent=None, outcome=outcome, mesh="coarse")
+            found = points(client)[1]
+        coarse = found["fe coarse mesh"]
+        assert (coarse["state"], coarse["outcome"]) == ("measured", outcome)
+        assert (coarse["seconds"]["value"], coarse["ends_at_kPa"]) == (7.0, 4.0)
+        assert found["fe 5 %"]["state"] == "predicted"
 
 
 def test_loads_beyond_an_instant_rung_are_refused_in_its_words(client: TestClient) -> None:

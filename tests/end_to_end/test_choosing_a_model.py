@@ -79,6 +79,20 @@ def test_pick_a_model_by_error_and_time_and_force_an_effect(studio: Run, page: P
     # the answer is in view already: the message offers nothing more
     expect(page.get_by_test_id("toasts")).not_to_contain_text("Show in 3D")
 
+    # More pressure than there is an equilibrium for: the view says how far the path was found and
+    # what to do, the ladder keeps the run as a point of the mesh that it was asked on.
+    set_number(page, "pressure", "40")
+    page.get_by_test_id("mesh").select_option("coarse")
+    page.get_by_test_id("run-fe").click()
+    end = page.get_by_test_id("path-end")
+    expect(end).to_contain_text(
+        re.compile(r"3D FE: found up to 12\.\d of 40\.0 kPa \(limit point\)"), timeout=300_000
+    )
+    expect(end).to_contain_text(re.compile("Stay below it, thicken roof and walls"))
+    coarse = page.get_by_test_id("ladder-fecoarsemesh")
+    expect(coarse).to_have_attribute("data-state", "measured")
+    expect(coarse).to_have_accessible_name(re.compile(r"measured, up to its limit at 12\.\d kPa"))
+
 
 def test_what_a_scene_forbids_is_said_where_it_is_offered(studio: Run, page: Page) -> None:
     page.goto(studio.address())

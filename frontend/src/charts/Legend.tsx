@@ -13,11 +13,11 @@ export function ChartLegend({ curves, part = "all" }: ChartLegendProps) {
   return (
     <ul className="chart-legend">
       {(part === "range" ? [] : curves).map((curve) => (
-        <li key={curve.id} className={curve.faded ? "faded" : ""}>
-          <svg width="20" height="8" aria-hidden="true">
+        <li key={curve.id} className={curve.faded ? "faded" : ""} title={curve.label}>
+          <svg width="18" height="8" aria-hidden="true">
             <line
               x1="0"
-              x2="20"
+              x2="18"
               y1="4"
               y2="4"
               stroke={`var(${curve.color})`}
@@ -25,18 +25,18 @@ export function ChartLegend({ curves, part = "all" }: ChartLegendProps) {
               strokeDasharray={curve.style === "dashed" ? "5 3" : undefined}
             />
             {curve.style === "dots" && (
-              <circle cx="10" cy="4" r="2.8" fill="var(--panel)" stroke={`var(${curve.color})`} strokeWidth="1.6" />
+              <circle cx="9" cy="4" r="2.8" fill="var(--panel)" stroke={`var(${curve.color})`} strokeWidth="1.6" />
             )}
           </svg>
-          {curve.label}
+          {curve.short ?? curve.label}
         </li>
       ))}
       {only && part !== "curves" && (
         <li title="Beyond the pressure up to which the model's assumptions hold">
-          <svg width="20" height="8" aria-hidden="true">
+          <svg width="18" height="8" aria-hidden="true">
             <line
               x1="0"
-              x2="20"
+              x2="18"
               y1="4"
               y2="4"
               stroke={`var(${beyond.length === 1 ? only.color : "--muted"})`}

@@ -12,6 +12,8 @@ export interface CurvePoint {
 export interface Curve {
   id: string;
   label: string;
+  /** What the legend shows instead, its tooltip being the label. */
+  short?: string;
   /** Name of the colour's design token. */
   color: string;
   points: readonly CurvePoint[];
@@ -74,13 +76,18 @@ export const tipPoints: PointsOf = (result, control = "pressure") =>
     return [{ x: x1, y: x3, at }];
   });
 
+/** Frames of the 3D view come in single precision: their last one may lie a hair beyond the path. */
+function isAt(place: number, at: number): boolean {
+  return Math.abs(place - at) <= 1e-6 * Math.max(1, Math.abs(place));
+}
+
 export type Quantity = (point: PathPoint) => number | null | undefined;
 
 /** Value at a pressure (or a volume), linear between the path's points; null beyond the path, or
  * where the rung does not know the quantity. */
 export function valueAt(result: Result, at: number, quantity: Quantity, control: Control = "pressure"): number | null {
   const places = result.path.map((point) => placeOf(point, control));
-  const exact = places.findIndex((place) => place !== null && Math.abs(place - at) < 1e-9);
+  const exact = places.findIndex((place) => place !== null && isAt(place, at));
   const found = result.path[exact];
   if (found) return quantity(found) ?? null;
   for (let index = 0; index + 1 < places.length; index++) {
@@ -100,7 +107,7 @@ export function pointAt(points: readonly CurvePoint[], at: number): CurvePoint |
   for (let index = 0; index < points.length; index++) {
     const point = points[index];
     if (!point) continue;
-    if (Math.abs(point.at - at) < 1e-9) return point;
+    if (isAt(point.at, at)) return point;
     const next = points[index + 1];
     if (!next || (at - point.at) * (at - next.at) > 0) continue;
     const share = (at - point.at) / (next.at - point.at);

@@ -6,7 +6,7 @@ import { useSize } from "../ui/useSize";
 import { refined } from "../workbench/refined";
 import { placeNames, type Placed } from "./labels";
 import { PointCard } from "./PointCard";
-import { about, actionOf, alsoAnswers, isEarly, placeOf, plotted, rungName, shortName } from "./points";
+import { about, actionOf, alsoAnswers, isEarly, placeOf, plotted, rungName, shortName, standing } from "./points";
 import { decades, logScale, marks, shortPercent, shortSeconds, type LogScale } from "./scale";
 import { takeRung } from "./take";
 
@@ -37,7 +37,9 @@ function pictureOf(ladder: Ladder, width: number, height: number): Picture {
   const up = logScale(decades(errors, LEAST_ERROR), height - SPACE.bottom - 6, SPACE.top);
   const at = points.map((point) => {
     const place = placeOf(point) ?? { seconds: LEAST_SECONDS, error: LEAST_ERROR };
-    return { x: across.place(place.seconds), y: up.place(place.error), width: LETTER * shortName(point).length };
+    // A run whose error nobody can tell stands at the upper edge, its line down through all errors.
+    const y = place.error === null ? SPACE.top : up.place(place.error);
+    return { x: across.place(place.seconds), y, width: LETTER * shortName(point).length };
   });
   const area = { x: SPACE.left, y: 0, width: width - SPACE.left - 2, height };
   const names = placeNames(at, area);
@@ -72,10 +74,12 @@ export function LadderChart({ ladder, stale, drawnRung, picks }: LadderChartProp
         <svg width={width} height={height} role="group" aria-label="Error against seconds of every model">
           <Axes across={picture.across} up={picture.up} width={width} height={height} />
           {picture.drawn.map((each) => (
+            <Bands key={each.point.label} {...each} {...picture} floor={height - SPACE.bottom} />
+          ))}
+          {picture.drawn.map((each) => (
             <Point
               key={each.point.label}
               {...each}
-              {...picture}
               also={alsoAnswers(ladder, each.point)}
               isDrawn={each.point.label === drawnRung}
               isPicked={picks.includes(each.point.label)}
@@ -115,20 +119,18 @@ function Axes({ across, up, width, height }: { across: LogScale; up: LogScale; w
 }
 
 interface PointProps extends Drawn {
-  across: LogScale;
-  up: LogScale;
   also: readonly string[];
   isDrawn: boolean;
   isPicked: boolean;
   onOpen: (label: string | null) => void;
 }
 
-function Point({ point, x, y, name, across, up, also, isDrawn, isPicked, onOpen }: PointProps) {
+function Point({ point, x, y, name, also, isDrawn, isPicked, onOpen }: PointProps) {
   const computing = usePick(refined, (now) => now.asking) && point.rung === "cell-rod";
   const busy = computing || point.job_id !== null;
   const classes = ["ladder-point", point.rung, point.state, busy && "busy", isDrawn && "drawn", isEarly(point) && "early"];
   const activate = () => void takeRung(point);
-  const label = `${rungName(point)}, ${point.state}. ${about(point, also).join(" ")} ${actionOf(point)}.`;
+  const label = `${rungName(point)}, ${standing(point)}. ${about(point, also).join(" ")} ${actionOf(point)}.`;
   return (
     <g
       className={classes.filter(Boolean).join(" ")}
@@ -151,7 +153,6 @@ function Point({ point, x, y, name, across, up, also, isDrawn, isPicked, onOpen 
         activate();
       }}
     >
-      <Bands point={point} x={x} y={y} across={across} up={up} />
       {isPicked && <circle className="pick" cx={x} cy={y} r={9} />}
       <circle className="hit" cx={x} cy={y} r={10} />
       <circle className="dot" cx={x} cy={y} r={isDrawn ? 5.5 : 4.5} />
@@ -162,13 +163,20 @@ function Point({ point, x, y, name, across, up, also, isDrawn, isPicked, onOpen 
   );
 }
 
-/** The error's band upright, the seconds expected across. */
-function Bands({ point, x, y, across, up }: { point: LadderPoint; x: number; y: number; across: LogScale; up: LogScale }) {
+interface BandsProps extends Drawn {
+  across: LogScale;
+  up: LogScale;
+  floor: number;
+}
+
+/** The error's band upright, the seconds expected across; under all points, so that names can be read. */
+function Bands({ point, x, y, across, up, floor }: BandsProps) {
   const { error_percent: error, seconds, state } = point;
   return (
-    <>
+    <g className={`ladder-bands ${point.rung}`} aria-hidden="true">
+      {!error && <line className="span" x1={x} x2={x} y1={y} y2={floor} />}
       {error && error.high > error.low && <line className="band" x1={x} x2={x} y1={up.place(error.low)} y2={up.place(error.high)} />}
       {state === "predicted" && seconds && <line className="span" x1={across.place(seconds.low)} x2={across.place(seconds.high)} y1={y} y2={y} />}
-    </>
+    </g>
   );
 }

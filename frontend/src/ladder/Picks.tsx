@@ -5,7 +5,7 @@ import { NumberField } from "../ui/NumberField";
 import { sentence } from "../ui/numbers";
 import { useHindrance } from "../workbench/hindrance";
 import { limits, withLimit, type Limits } from "./limits";
-import { inWords, shortName } from "./points";
+import { inWords, rungName, shortName } from "./points";
 import { shortPercent, shortSeconds } from "./scale";
 import { takeRung } from "./take";
 
@@ -53,7 +53,7 @@ function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
       <span className={`pick-rung${stale ? " faded" : ""}`} title={words}>
         {point ? (
           <>
-            <strong>{shortName(point)}</strong> <span className="muted">{name === "percent" ? timeOf(point) : errorOf(point)}</span>
+            <strong title={rungName(point)}>{shortName(point)}</strong> <span className="muted">{name === "percent" ? timeOf(point) : errorOf(point)}</span>
           </>
         ) : (
           <span className="muted">no rung: hover to read why</span>

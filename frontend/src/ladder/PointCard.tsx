@@ -1,5 +1,5 @@
 import type { LadderPoint } from "../api/types";
-import { about, actionOf, rungName } from "./points";
+import { about, actionOf, rungName, standing } from "./points";
 
 const WIDTH = 252;
 
@@ -18,7 +18,7 @@ export function PointCard({ point, also, at, width, height }: PointCardProps) {
   return (
     <div className="point-card" style={{ left, bottom: height - at.y + 14, width: WIDTH }} aria-hidden="true" data-testid="ladder-card">
       <p className="point-title">
-        {rungName(point)} <span className="muted">{point.state}</span>
+        {rungName(point)} <span className="muted">{standing(point)}</span>
       </p>
       {about(point, also).map((line) => (
         <p key={line}>{line}</p>

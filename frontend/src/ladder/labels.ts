@@ -33,7 +33,7 @@ function outside(box: Box, area: Box): number {
   return box.width * box.height - overlap(box, area);
 }
 
-/** Right of its point, else left, above, below or at a corner: the first place that is free, else the freest. */
+/** Right of its point, else left, above, below, at a corner or below that: the first place that is free, else the freest. */
 export function placeNames(points: readonly Named[], area: Box): Placed[] {
   const taken: Box[] = points.map(({ x, y }) => ({ x: x - 5, y: y - 5, width: 10, height: 10 }));
   return points.map(({ x, y, width }) => {
@@ -42,9 +42,9 @@ export function placeNames(points: readonly Named[], area: Box): Placed[] {
       { placed: { x: x - GAP, y, anchor: "end" }, box: { x: x - GAP - width, y: y - HEIGHT / 2, width, height: HEIGHT } },
       { placed: { x, y: y - 13, anchor: "middle" }, box: { x: x - width / 2, y: y - 13 - HEIGHT / 2, width, height: HEIGHT } },
       { placed: { x, y: y + 13, anchor: "middle" }, box: { x: x - width / 2, y: y + 13 - HEIGHT / 2, width, height: HEIGHT } },
-      ...[[1, 1], [-1, 1], [1, -1], [-1, -1]].map(([across = 0, along = 0]) => ({
-        placed: { x: x + across * GAP, y: y + along * 12, anchor: across > 0 ? ("start" as const) : ("end" as const) },
-        box: { x: across > 0 ? x + GAP : x - GAP - width, y: y + along * 12 - HEIGHT / 2, width, height: HEIGHT },
+      ...[[1, 12], [-1, 12], [1, -12], [-1, -12], [1, 20], [-1, 20]].map(([across = 0, along = 0]) => ({
+        placed: { x: x + across * GAP, y: y + along, anchor: across > 0 ? ("start" as const) : ("end" as const) },
+        box: { x: across > 0 ? x + GAP : x - GAP - width, y: y + along - HEIGHT / 2, width, height: HEIGHT },
       })),
     ];
     const cost = ({ box }: { box: Box }) => taken.reduce((sum, other) => sum + overlap(box, other), 2 * outside(box, area));

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Ladder, LadderPoint } from "../api/types";
-import { about, actionOf, listed, plotted, rungName } from "./points";
+import { about, actionOf, isEarly, listed, placeOf, plotted, rungName, standing } from "./points";
 
 const range = (value: number, low = value, high = value) => ({ value, low, high });
 
@@ -51,6 +51,21 @@ describe("points of the ladder", () => {
   it("say that an answer ended early, and how to go on", () => {
     const stalled = point({ state: "measured", outcome: "stalled", advice: "Take a coarser mesh." });
     expect(about(stalled, []).join(" ")).toContain("Stopped early: no equilibrium was found beyond the last point. Take a coarser mesh.");
+    const limit = point({ state: "measured", outcome: "limit_point", ends_at_kPa: 12.37 });
+    const cut = point({ outcome: "cancelled", ends_at_kPa: 3.2 });
+    expect([limit, stalled, cut, best, point({})].map(standing)).toEqual([
+      "measured, up to its limit at 12.4 kPa", "stalled", "cancelled at 3.2 kPa", "measured", "predicted",
+    ]);
+    expect(about(limit, []).join(" ")).toContain("Reached a limit point");
+    expect(about(cut, []).join(" ")).toContain("Time of the whole path: about 12 s");
+    expect([limit, stalled, cut].map(isEarly)).toEqual([false, true, true]);
+  });
+
+  it("are drawn though nobody can tell their error, at their measured seconds", () => {
+    const coarse = point({ state: "measured", outcome: "converged", mesh: "coarse", label: "fe coarse mesh", error_percent: null, error_kind: null, seconds: range(7) });
+    expect(plotted({ ...ladder, points: [coarse] })).toEqual([coarse]);
+    expect(placeOf(coarse)).toEqual({ seconds: 7, error: null });
+    expect(about(coarse, [])[0]).toBe("Tip's error: not known, for one mesh by itself cannot tell it.");
   });
 
   it("have names for people", () => {

@@ -1,18 +1,19 @@
 /** Points of the ladder as the chart shows them, and what is said about each. */
 import type { Ladder, LadderPoint } from "../api/types";
-import { outcomeInWords } from "../results/words";
+import { kPa, outcomeInWords } from "../results/words";
 import { sentence } from "../ui/numbers";
 import { shortPercent, shortSeconds } from "./scale";
 
-/** Where a point stands on both axes; null where one of them is unknown. */
+/** Where a point stands on both axes. A run whose error nobody can tell has its seconds only. */
 export interface Place {
   readonly seconds: number;
-  readonly error: number;
+  readonly error: number | null;
 }
 
 export function placeOf(point: LadderPoint): Place | null {
-  if (!point.seconds || !point.error_percent || point.state === "refused") return null;
-  return { seconds: point.seconds.value, error: point.error_percent.value };
+  if (!point.seconds || point.state === "refused") return null;
+  if (!point.error_percent && point.state !== "measured") return null;
+  return { seconds: point.seconds.value, error: point.error_percent?.value ?? null };
 }
 
 /** Drawn in the plane; an answer that stands for several rungs is drawn once. */
@@ -36,10 +37,10 @@ export function rungName(point: Pick<LadderPoint, "rung" | "label">): string {
   return shortName(point).replace(/^./, (letter) => letter.toUpperCase());
 }
 
-/** Beside its point: "cell + rod", "FE 5 %" */
+/** Beside its point: "cell + rod", "FE 5 %", "FE coarse" */
 export function shortName(point: Pick<LadderPoint, "rung" | "label">): string {
   if (point.rung === "cell-rod") return "cell + rod";
-  if (point.rung === "fe") return point.label.replace(/^fe/, "FE");
+  if (point.rung === "fe") return point.label.replace(/^fe/, "FE").replace(/ mesh$/, "");
   return point.label.replaceAll("-", " ");
 }
 
@@ -48,8 +49,28 @@ export function inWords(text: string): string {
   return text.replace(/\bfe (?=\d)/g, "FE ").replace(/\bcell-rod\b/g, "cell + rod").replace(/\bclosed-form\b/g, "closed form");
 }
 
+/** Whether it has run and its path ended before what was asked for; a limit point is an end of its own. */
 export function isEarly(point: LadderPoint): boolean {
-  return point.state === "measured" && point.outcome !== "converged" && point.outcome !== "limit_point";
+  return point.outcome !== null && point.outcome !== "converged" && point.outcome !== "limit_point";
+}
+
+const ENDS: Record<string, string> = {
+  limit_point: "measured, up to its limit",
+  stalled: "stalled",
+  cancelled: "cancelled",
+  budget_spent: "stopped, time used up",
+};
+
+/** Whether it has run, and how far: "measured", "predicted", "cancelled at 3.2 kPa". */
+export function standing({ state, outcome, ends_at_kPa: end }: LadderPoint): string {
+  if (outcome === null || outcome === "converged" || state === "refused") return state;
+  const how = ENDS[outcome] ?? outcome.replaceAll("_", " ");
+  return end === null ? how : `${how} at ${kPa(end)}`;
+}
+
+/** Stopped by hand or by its budget: what is told of it is still a prediction. */
+export function isOpen({ state, outcome }: LadderPoint): boolean {
+  return state === "predicted" && outcome !== null;
 }
 
 export function secondsInWords({ seconds, state }: LadderPoint): string {
@@ -60,7 +81,7 @@ export function secondsInWords({ seconds, state }: LadderPoint): string {
 
 export function errorInWords(point: LadderPoint): string {
   const { error_percent: error, error_kind: kind } = point;
-  if (!error) return "error not known";
+  if (!error) return point.mesh === null ? "not known" : "not known, for one mesh by itself cannot tell it";
   const value = shortPercent(error.value);
   if (kind === "against best") {
     const at = point.compared_at_kPa === null ? "" : ` at ${Number(point.compared_at_kPa.toPrecision(3))} kPa`;
@@ -77,10 +98,10 @@ export function about(point: LadderPoint, also: readonly string[]): string[] {
   if (point.state === "refused") lines.push(sentence(inWords(point.reason ?? "it cannot carry this scene")));
   else {
     lines.push(`Tip's error: ${errorInWords(point)}.`);
-    if (point.seconds) lines.push(`Time: ${secondsInWords(point)}.`);
+    if (point.seconds) lines.push(`${isOpen(point) ? "Time of the whole path" : "Time"}: ${secondsInWords(point)}.`);
     if (point.state === "predicted" && point.reason) lines.push(sentence(point.reason));
   }
-  if (isEarly(point)) lines.push([outcomeInWords(point.outcome ?? ""), point.advice ?? ""].join(" ").trim());
+  if (isEarly(point) || point.outcome === "limit_point") lines.push([outcomeInWords(point.outcome ?? ""), point.advice ?? ""].join(" ").trim());
   if (point.is_best) lines.push("The best answer so far.");
   if (point.state !== "refused" && point.leaves_out.length > 0) lines.push(`Leaves out: ${point.leaves_out.join(", ")}.`);
   if (also.length > 0) lines.push(`Also answers ${also.join(", ")}.`);

@@ -110,7 +110,7 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
                 <td>
                   {sentence(effect.reason)}
                   {effect.estimated_change_percent !== null &&
-                    ` Changes the answer by about ${formatQuantity(effect.estimated_change_percent, 2)} %.`}
+                    ` Leaving it out changes the tip\u2019s way by about ${formatQuantity(effect.estimated_change_percent, 2)} %.`}
                 </td>
               </tr>
             ))}

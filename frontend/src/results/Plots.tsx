@@ -56,7 +56,8 @@ function curvesOf({ instant, replaced, fe, control, stale }: PlotsProps, points:
   if (fe) {
     curves.push({
       id: "fe",
-      label: fe.matches ? feLabel(fe.job) : `${feLabel(fe.job)} (as saved)`,
+      label: fe.matches ? `3D ${feLabel(fe.job)}` : `3D ${feLabel(fe.job)}, of the design as it was saved`,
+      short: fe.matches ? "FE" : "FE as saved",
       color: "--series-fe",
       points: points(fe.result, control),
       style: "dots",

@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 
 import { usePick } from "../api/store";
 import type { FileKind } from "../api/types";
@@ -11,6 +11,7 @@ import type { Loads } from "../workbench/loads";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 import { download } from "./download";
+import { copyCommand, wholeBody } from "./wholeBody";
 
 interface Entry {
   what: FileKind;
@@ -79,7 +80,21 @@ function Files({ onDone }: { onDone: () => void }) {
     <div className="menu files-menu">
       <Section title="Make" entries={MAKE} reason={(what) => unavailable?.[what] ?? ""} onDone={onDone} />
       <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => notInADeck(loads)} onDone={onDone} />
-      <Section title="Result of 3D FE" entries={RESULT} reason={() => noResult} onDone={onDone} />
+      <Section title="Result of 3D FE" entries={RESULT} reason={() => noResult} onDone={onDone}>
+        <button
+          type="button"
+          className="menu-item"
+          disabled={fe === null}
+          title={fe ? wholeBody(fe.job, fe.result) : "Run 3D FE first."}
+          data-testid="copy-whole-body"
+          onClick={() => {
+            if (fe) void copyCommand(wholeBody(fe.job, fe.result)).finally(onDone);
+          }}
+        >
+          <span className="menu-title">Whole-body fields, VTU: copy the command</span>
+          <span className="muted">Inner fields are not stored; the command solves again and writes them</span>
+        </button>
+      </Section>
     </div>
   );
 }
@@ -90,9 +105,11 @@ interface SectionProps {
   /** Why a file cannot be had; empty where it can. */
   reason: (what: FileKind) => string;
   onDone: () => void;
+  /** Further entries. */
+  children?: ReactNode;
 }
 
-function Section({ title, entries, reason, onDone }: SectionProps) {
+function Section({ title, entries, reason, onDone, children }: SectionProps) {
   const [busy, setBusy] = useState<FileKind | null>(null);
   return (
     <section>
@@ -120,6 +137,7 @@ function Section({ title, entries, reason, onDone }: SectionProps) {
           </button>
         );
       })}
+      {children}
     </section>
   );
 }
