@@ -76,9 +76,9 @@ export const tipPoints: PointsOf = (result, control = "pressure") =>
     return [{ x: x1, y: x3, at }];
   });
 
-/** Frames of the 3D view come in single precision: their last one may lie a hair beyond the path. */
-function isAt(place: number, at: number): boolean {
-  return Math.abs(place - at) <= 1e-6 * Math.max(1, Math.abs(place));
+/** Frames of the 3D view are told to six digits: the last one may lie a hair beyond the path, whose end is meant. */
+function isEnd(place: number | null | undefined, at: number): boolean {
+  return typeof place === "number" && Math.abs(place - at) <= 1e-5 * Math.abs(place);
 }
 
 export type Quantity = (point: PathPoint) => number | null | undefined;
@@ -87,7 +87,7 @@ export type Quantity = (point: PathPoint) => number | null | undefined;
  * where the rung does not know the quantity. */
 export function valueAt(result: Result, at: number, quantity: Quantity, control: Control = "pressure"): number | null {
   const places = result.path.map((point) => placeOf(point, control));
-  const exact = places.findIndex((place) => place !== null && isAt(place, at));
+  const exact = places.findIndex((place) => place !== null && Math.abs(place - at) < 1e-9);
   const found = result.path[exact];
   if (found) return quantity(found) ?? null;
   for (let index = 0; index + 1 < places.length; index++) {
@@ -100,18 +100,20 @@ export function valueAt(result: Result, at: number, quantity: Quantity, control:
     if (from === null || from === undefined || to === null || to === undefined) return null;
     return from + ((at - here) / (there - here)) * (to - from);
   }
-  return null;
+  const last = result.path.at(-1);
+  return last && isEnd(places.at(-1), at) ? (quantity(last) ?? null) : null;
 }
 
 export function pointAt(points: readonly CurvePoint[], at: number): CurvePoint | null {
   for (let index = 0; index < points.length; index++) {
     const point = points[index];
     if (!point) continue;
-    if (isAt(point.at, at)) return point;
+    if (Math.abs(point.at - at) < 1e-9) return point;
     const next = points[index + 1];
     if (!next || (at - point.at) * (at - next.at) > 0) continue;
     const share = (at - point.at) / (next.at - point.at);
     return { x: point.x + share * (next.x - point.x), y: point.y + share * (next.y - point.y), at };
   }
-  return null;
+  const last = points.at(-1);
+  return last && isEnd(last.at, at) ? last : null;
 }
