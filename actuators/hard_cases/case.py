@@ -26,8 +26,8 @@ second question: what it changes of the first (``rung``, ``mesh``, ``design``, `
 ``scaled = {length = 1e-3, modulus = 1e4}`` (the same body in other units, where every answer
 follows from dimensional analysis), ``disturbed = 1e-12`` (every length and load, at random),
 ``shuffled = true`` (nodes and elements in another order), ``threads = 2``. It must end as the case
-itself may, or as its ``outcome`` says. ``factor`` multiplies the second answer. Every case is checked besides for what must hold always, see
-:mod:`verdict`.
+itself may, or as its ``outcome`` says. ``factor`` multiplies the second answer. Every case is
+checked besides for what must hold always, see :mod:`verdict`.
 """
 
 from collections.abc import Mapping

@@ -34,7 +34,12 @@ class SymmetricSolver(ABC):
 
     @abstractmethod
     def solve(self, right_side: np.ndarray) -> np.ndarray:
-        """Solution for (n,) or (n, k)."""
+        """Solution for (n,) or (n, k). Raises FactorizationError where there is no factor."""
+
+    @property
+    @abstractmethod
+    def factorised(self) -> bool:
+        """Whether there is a factor, of the last entries that had one."""
 
     @property
     @abstractmethod
@@ -88,16 +93,24 @@ class PardisoSolver(SymmetricSolver):
         self._ia = (indptr + 1).astype(np.int32)
         self._ja = (indices + 1).astype(np.int32)
         self._values = np.zeros(len(indices))
+        self._factorised = False
 
     def factorize(self, values: np.ndarray) -> None:
-        self._values = values
+        self._values, self._factorised = values, False
         nothing = np.zeros(1)
         if not self._analysed:
             self._run(11, nothing, nothing, 1)
             self._analysed = True
         self._run(22, nothing, nothing, 1)
+        self._factorised = True
+
+    @property
+    def factorised(self) -> bool:
+        return self._factorised
 
     def solve(self, right_side: np.ndarray) -> np.ndarray:
+        if not self._factorised:  # the library would end the process
+            raise FactorizationError("factorize comes before solve")
         b = np.asfortranarray(right_side)
         x = np.empty_like(b, order="F")
         self._run(33, b, x, 1 if b.ndim == 1 else b.shape[1])
@@ -116,7 +129,7 @@ class PardisoSolver(SymmetricSolver):
         nothing = np.zeros(1)
         if self._analysed:
             self._run(-1, nothing, nothing, 1)
-            self._analysed = False
+            self._analysed = self._factorised = False
 
     def __del__(self) -> None:
         if not sys.is_finalizing():
@@ -182,6 +195,10 @@ class SuperLuSolver(SymmetricSolver):
             )
         except RuntimeError as error:
             raise FactorizationError(str(error)) from error
+
+    @property
+    def factorised(self) -> bool:
+        return self._factor is not None
 
     def solve(self, right_side: np.ndarray) -> np.ndarray:
         if self._factor is None:

@@ -29,9 +29,15 @@ class CavityWalls:
         """Smallest distance over that at rest, at most 1; below 0 where walls have run through each
         other."""
         now = self._nodes + displacement
-        open_by = now[self._side, 1] / self._nodes[self._side, 1]
         across = _distances(now, self._low, self._high) / self._rest
-        return float(min(1.0, open_by.min(initial=1.0), across.min(initial=1.0)))
+        return float(min(1.0, self.from_the_middle(displacement), across.min(initial=1.0)))
+
+    def from_the_middle(self, displacement: np.ndarray) -> float:
+        """Smallest distance of a half model's side walls from its middle plane over that at rest,
+        at most 1; below 0 where they have crossed it, and with it their mirror images."""
+        rest = self._nodes[self._side, 1]
+        open_by = 1 + displacement[self._side, 1] / rest
+        return float(open_by.min(initial=1.0))
 
 
 def least_openness(mesh: HexMesh, states: Sequence[State]) -> np.ndarray:

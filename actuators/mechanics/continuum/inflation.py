@@ -55,6 +55,7 @@ def inflate(
             step = abs(wanted - last.pressure) * growth(result.iterations)
             tracer.told(result)
         elif tracer.stopped():
+            _how_far(last, visited)
             return visited
         else:
             step = abs(wanted - last.pressure) / 2
@@ -99,10 +100,10 @@ def _by_volume(
         if result is None:
             if is_near_summit(walk.trail, sign) and not tracer.stopped():
                 _close_in(tracer, walk.trail, sign, visited)
-            elif not tracer.stopped():
+                return None
+            if not tracer.stopped():
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
-            elif tracer.barred and not keep:
-                visited.append(walk.trail[-1])  # how far it came
+            _how_far(walk.trail[-1], visited)
             return None
         if sign * (result.pressure - last.pressure) <= 0:
             _end_at_limit(tracer, walk.trail, sign, visited)
@@ -128,6 +129,14 @@ def _by_volume(
     path.outcome = Outcome.STALLED
     path.reason = "the volume changes without the pressure coming to a maximum"
     return None
+
+
+def _how_far(last: Equilibrium, visited: list[Equilibrium]) -> None:
+    """Keep the last state of a path that does not come to its end, also where only some pressures
+    are reported, unless a body would not stay in it."""
+    known = visited and visited[-1] is last
+    if not known and not last.negative_eigenvalues and last.pressure != 0.0:
+        visited.append(last)
 
 
 def _end_unstable(

@@ -109,14 +109,21 @@ class Tracer:
     def first_pressure(self, start: Equilibrium) -> float:
         """Pressure [Pa] whose linear answer, by the tangent last factorised, moves the body by
         :data:`LARGEST_FIRST_MOVE` of its size."""
-        _, gradient = self.system.volume(start.state)
-        return self.share_of_first_move(self.solver.solve(gradient))
+        return self.share_of_first_move(self._inflation(start)[0])
 
     def first_volume(self, start: Equilibrium) -> float:
         """Change of volume [m3] that goes with :meth:`first_pressure`."""
-        _, gradient = self.system.volume(start.state)
-        solution = self.solver.solve(gradient)
+        solution, gradient = self._inflation(start)
         return abs(float(gradient @ solution)) * self.share_of_first_move(solution)
+
+    def _inflation(self, start: Equilibrium) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements per pressure at ``start``, and the volume's derivative. A path that is
+        resumed, with contact switched on, brings its first state but no tangent."""
+        if not self.solver.factorised:
+            self.system.linearise(start.state, start.pressure)
+            self.system.factorize(self.solver)
+        _, gradient = self.system.volume(start.state)
+        return self.solver.solve(gradient), gradient
 
     def share_of_first_move(self, solution: np.ndarray) -> float:
         """How much of this linear answer moves the body by :data:`LARGEST_FIRST_MOVE` of its

@@ -10,6 +10,10 @@ from actuators.meshing import HexMesh
 
 CROSSED = "walls of the cavity run through each other, and there is no contact inside it here"
 MOUNTED = "the body has curled round into its own mount, behind the clamp"
+HALVED = (
+    "side walls of the cavity have met on the middle plane, where half a body has no contact with "
+    "its mirror image"
+)
 BEHIND = 0.02
 """How far behind the clamp's plane the body must be [its height], ..."""
 WELL_INSIDE = 0.05
@@ -23,7 +27,7 @@ class Unmodelled:
 
     def __init__(self, mesh: HexMesh, *, cavity_held: bool) -> None:
         self._mesh = mesh
-        self._walls = None if cavity_held else CavityWalls(mesh)
+        self._walls, self._held = CavityWalls(mesh), cavity_held
         self._outside = np.setdiff1d(np.unique(mesh.outer_faces.nodes), mesh.clamp_nodes)
         section = mesh.nodes[mesh.clamp_nodes][:, 1:]
         low, high = section.min(axis=0, initial=np.inf), section.max(axis=0, initial=-np.inf)
@@ -35,7 +39,9 @@ class Unmodelled:
 
     def why(self, state: State) -> str | None:
         """What is in the way of ``state``, None where nothing is."""
-        if self._walls is not None and self._walls.openness(state.displacement) < 0.0:
+        if self._walls.from_the_middle(state.displacement) < 0.0:
+            return HALVED
+        if not self._held and self._walls.openness(state.displacement) < 0.0:
             return CROSSED
         now = self._mesh.nodes[self._outside] + state.displacement[self._outside]
         behind = now[now[:, 0] < -self._behind, 1:]

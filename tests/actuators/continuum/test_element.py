@@ -200,12 +200,16 @@ def test_half_and_whole_give_the_same_answer() -> None:
 
 
 def test_superlu_gives_what_pardiso_gives() -> None:
-    from actuators.mechanics.direct_solver import SuperLuSolver
+    from actuators.mechanics.direct_solver import FactorizationError, SuperLuSolver
 
     system, solver = system_of(mesh_body(block()), LAWS["neo-hooke"])
     system.linearise(system.rest(), 0.0)
     other = SuperLuSolver(system.indptr, system.indices)
     side = np.random.default_rng(1).standard_normal(system.unknowns)
     for each in (solver, other):
+        assert not each.factorised
+        with pytest.raises(FactorizationError):  # the library would end the process
+            each.solve(side)
         each.factorize(system.values)
+        assert each.factorised
     assert other.solve(side) == pytest.approx(solver.solve(side), rel=1e-6, abs=1e-9)

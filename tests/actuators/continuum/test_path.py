@@ -8,6 +8,8 @@ import pytest
 from actuators.design import preset
 from actuators.errors import QuestionError
 from actuators.mechanics.continuum import Progress, solve
+from actuators.mechanics.continuum.goal import Goal
+from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import PathFollower
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.direct_solver import open_solver
@@ -48,6 +50,31 @@ def test_path_stops_at_the_reported_pressures() -> None:
     assert path.outcome is Outcome.CONVERGED
     assert [e.pressure for e in path.points] == pytest.approx([0.0, 4e3, 8e3, 12e3])
     assert all(e.negative_eigenvalues in (0, None) for e in path.points)
+
+
+def test_a_path_resumed_from_its_first_state_makes_its_own_tangent() -> None:
+    """As where contact switches itself on at the first step."""
+    mesh, path = follow_mini(1e3, [1e3])
+    system = ContinuumSystem(mesh, MATERIALS, free=clamped(mesh), gravity=GRAVITY)
+    again = PathFollower(system, open_solver(system.indptr, system.indices))
+    rest = path.points[0]
+    resumed = again.resume([rest], rest, Goal.pressure(1e3, [1e3]))
+    assert resumed.outcome is Outcome.CONVERGED
+    assert resumed.points[-1].volume == pytest.approx(path.points[-1].volume, rel=1e-6)
+
+
+def test_a_path_that_is_stopped_keeps_how_far_it_came() -> None:
+    mesh = mesh_body(mini_pneu_net().half())
+    system = ContinuumSystem(mesh, MATERIALS, free=clamped(mesh), gravity=GRAVITY)
+    found: list[Equilibrium] = []
+    follower = PathFollower(
+        system, open_solver(system.indptr, system.indices), seen=found.append,
+        stop=lambda: Outcome.CANCELLED if len(found) > 3 else None,
+    )  # fmt: skip
+    path = follower.follow(12e3, [12e3])
+    assert path.outcome is Outcome.CANCELLED
+    assert 0.0 < path.points[-1].pressure < 12e3
+    assert path.points[-1] is found[-1]
 
 
 def test_droop_of_a_solid_bar_is_that_of_a_beam() -> None:

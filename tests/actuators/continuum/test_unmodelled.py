@@ -7,7 +7,7 @@ from actuators.design import preset
 from actuators.geometry import build_body
 from actuators.mechanics.continuum.cavity_gap import CavityWalls
 from actuators.mechanics.continuum.state import State
-from actuators.mechanics.continuum.unmodelled import CROSSED, MOUNTED, Unmodelled
+from actuators.mechanics.continuum.unmodelled import CROSSED, HALVED, MOUNTED, Unmodelled
 from actuators.meshing import HexMesh, mesh_body
 from tests.actuators.contact.pressed import box
 
@@ -38,3 +38,11 @@ def test_walls_that_cross_are_seen_and_the_ends_of_a_channel_are_no_walls() -> N
     inside_out = mesh.nodes * [1.0, 1.0, -1.0]
     assert Unmodelled(mesh, cavity_held=False).why(moved_to(mesh, inside_out)) == CROSSED
     assert Unmodelled(mesh, cavity_held=True).why(moved_to(mesh, inside_out)) is None
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_side_walls_of_a_half_model_that_cross_the_middle_plane_are_seen(held: bool) -> None:
+    mesh = mesh_body(build_body(preset("slab-rectangle-low").design).half())
+    look = Unmodelled(mesh, cavity_held=held)
+    for share, found in ((0.5, None), (-0.5, HALVED)):
+        assert look.why(moved_to(mesh, mesh.nodes * [1.0, share, 1.0])) == found
