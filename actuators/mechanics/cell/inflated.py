@@ -28,10 +28,10 @@ class CellPath:
     ``stiffness``: (k, 4, 4) tangent, resultants per strain [N, N m, N m2]; ``volume``: (k,) of the
     cavity per pitch [m3]; ``volume_rate``: (k, 4) its change with the strains at constant pressure
     [m3, m4]; ``compliance``: (k,) its change per pressure along the path [m3/Pa]; ``max_stretch``:
-    (k,) largest principal stretch at a Gauss point; ``contact_pressure``: (k,) largest between the
-    walls of neighbouring chambers [Pa], None where none face each other or
-    contact was left out; ``touching_from``: pressure at which they meet [Pa], None where they do
-    not; ``period``: undeformed pitch [m].
+    (k,) largest principal stretch at a Gauss point, ``region_stretch``: (k, r) of each of the
+    body's regions; ``contact_pressure``: (k,) largest between the walls of neighbouring chambers
+    [Pa], None where none face each other or contact was left out; ``touching_from``: pressure at
+    which they meet [Pa], None where they do not; ``period``: undeformed pitch [m].
 
     ``outcome``: ``converged``; ``limit_point``, with ``limit_pressure`` [Pa], where the pressure
     has a maximum (of suction, a minimum) and the last point stands there; ``stalled``, where no
@@ -48,6 +48,7 @@ class CellPath:
     volume_rate: np.ndarray
     compliance: np.ndarray
     max_stretch: np.ndarray
+    region_stretch: np.ndarray
     contact_pressure: np.ndarray | None = None
     touching_from: float | None = None
     outcome: Outcome = Outcome.CONVERGED

@@ -33,6 +33,10 @@ from actuators.mechanics.rod.surroundings import chain_of, obstacles_of
 from actuators.mechanics.scene import Scene
 
 BENDING = 2
+VOLUME_ERROR, VOLUME_CORRECTIONS = 1e-7, 8
+"""Of a prescribed volume; corrections that may be made to come so near."""
+AT_REST = 1e-3
+"""Change of the cavity by weight, as a fraction, that a prescribed volume does not take back."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,24 +192,31 @@ def _to_a_volume(question: Question, volume_to: float, steps: int) -> tuple[Solv
     volume = trial.volume
     if len(volume) < 2:
         return trial, True
+    if volume[-1] == volume[0]:  # the volume asked for is that at rest
+        still = question.solve(np.zeros(steps + 1))
+        return still, not np.isclose(volume_to, volume[0], rtol=AT_REST)
     sign = np.sign(volume[-1] - volume[0])
     wanted = np.linspace(volume[0], volume_to, steps + 1)
     within = sign * wanted <= sign * volume[-1]
     pressures = trial.pressures[: len(volume)]
     at = np.interp(sign * wanted[within], sign * volume, pressures)
+    slope = np.interp(sign * wanted[within], sign * volume, np.gradient(pressures, volume))
     short = not bool(within.all())
     if short:
         at = np.append(at, pressures[-1])
     solved = question.solve(at)
-    for _ in range(2):
+    for _ in range(VOLUME_CORRECTIONS):
         count = min(len(solved.volume), int(within.sum()))
-        if count < 2:
+        if count < 2 or _is_there(solved.volume[:count], wanted[:count]):
             break
-        slope = np.gradient(at[:count], solved.volume[:count])
-        at[1:count] += (slope * (wanted[:count] - solved.volume[:count]))[1:]
+        at[1:count] += (slope[:count] * (wanted[:count] - solved.volume[:count]))[1:]
         at = np.clip(at, min(0.0, pressures[-1]), max(0.0, pressures[-1]))
         solved = question.solve(at)
     return solved, short
+
+
+def _is_there(volume: np.ndarray, wanted: np.ndarray) -> bool:
+    return float(np.abs(volume - wanted).max()) <= VOLUME_ERROR * float(np.abs(wanted).max())
 
 
 def _shear(layout: Layout, chambers: np.ndarray) -> np.ndarray:

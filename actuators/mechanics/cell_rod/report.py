@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from actuators.design import Design
+from actuators.materials import material
 from actuators.mechanics.cell.inflated import CellPath
-from actuators.mechanics.cell.row import pitch_starts
+from actuators.mechanics.cell.row import pitch_starts, row_cells
 from actuators.mechanics.response import Effect, Outcome
 from actuators.mechanics.rod.effects import is_plain, weight_change
 from actuators.mechanics.rod.pieces import end_height
@@ -138,6 +139,16 @@ def cell_rod_effects(question: Question, solved: Solved) -> tuple[Effect, ...]:
 def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     """Findings of the cells, and of the rod's obstacles."""
     notes = list(dict.fromkeys(note for path in question.paths for note in path.notes))
+    last = float(solved.pressures[len(solved.path.strains) - 1])
+    notes += _stretched_far(question, last)
+    trusted = trusted_to(question.paths, solved.pressures[: len(solved.path.strains)])
+    if trusted is not None:
+        limit = trusted / NEAR_THE_LIMIT
+        notes.append(
+            f"One chamber among equals has its {'maximum' if limit > 0.0 else 'minimum'} of "
+            f"pressure at {limit / 1e3:.4g} kPa. Beyond {trusted / 1e3:.3g} kPa chambers of a body "
+            "may answer unequally and reach theirs sooner: look with the rung fe."
+        )
     if len(solved.path.strains):
         bent = (
             solved.path.strains[..., BENDING]
@@ -155,6 +166,20 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     if depth > 2e-3 * question.design.length:
         notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")
     return tuple(notes)
+
+
+def _stretched_far(question: Question, pressure: float) -> list[str]:
+    """Notes on materials that ``pressure`` [Pa] stretches beyond what was tested, or is stable."""
+    from actuators.mechanics.continuum.findings import range_notes  # loads the 3D solver's kernels
+
+    notes: list[str] = []
+    for cell, path in zip(row_cells(question.design)[0], question.paths, strict=True):
+        largest = [
+            float(np.interp(abs(pressure), np.abs(path.pressure), stretch))
+            for stretch in path.region_stretch.T
+        ]
+        notes += range_notes([material(region.material) for region in cell.regions], largest)
+    return list(dict.fromkeys(notes))
 
 
 def _gravity(question: Question, solved: Solved) -> Effect:

@@ -23,6 +23,8 @@ FIRST_MOVE = 0.03
 """Largest displacement of the first step [body sizes], by the linear answer."""
 LARGEST_GROWTH = 0.25
 """Of the cavity in one step, by the last slope."""
+EMPTY = 0.2
+"""Share of the cavity at rest below which steps of its volume shrink no further with it."""
 SMALLEST_STEP = 1 / 400
 """Of the range (or of the cavity's volume) below which no more is tried."""
 SHARP_SUMMIT = 1e-4
@@ -119,7 +121,12 @@ class Follower:
 
     def _longest(self, last: Point) -> float:
         """Largest pressure step that the last slope allows."""
-        return LARGEST_GROWTH * last.volume / abs(last.growth) if last.growth else math.inf
+        return LARGEST_GROWTH * self._room(last) / abs(last.growth) if last.growth else math.inf
+
+    def _room(self, last: Point) -> float:
+        """Volume [m3] that steps are measured by: the cavity's, but suction that empties it would
+        make them ever smaller."""
+        return max(last.volume, EMPTY * self.course.points[0].volume)
 
     def _by_volume(self) -> None:
         """Steps of given volume, past the pressure's maximum."""
@@ -130,7 +137,7 @@ class Follower:
         step = max(abs(points[-1].volume - before.volume), 0.01 * points[-1].volume) / 2
         while len(points) < MOST_STEPS:
             last = trail[-1]
-            step = min(step, 0.15 * last.volume)
+            step = min(step, 0.15 * self._room(last))
             change = math.copysign(step, goal)
             guess = self._ahead(change, by_volume=True)
             rise = last.pressure + change / last.growth
@@ -139,7 +146,7 @@ class Follower:
             point = self._point(found) if isinstance(found, Found) else None
             if point is None or isinstance(found, Missed):
                 step /= 3
-                if step < SMALLEST_STEP * last.volume:
+                if step < SMALLEST_STEP * self._room(last):
                     course.outcome = Outcome.STALLED
                     course.reason = "no state of equilibrium nearby was found"
                     return
@@ -153,7 +160,7 @@ class Follower:
             points.append(point)
             trail.append(point)
             step *= _pace(found)
-            if _pace(found) < 1.0 and step < CRAWL * last.volume:
+            if _pace(found) < 1.0 and step < CRAWL * self._room(last):
                 break
         course.outcome = Outcome.STALLED
         course.reason = "too many steps, or ever smaller ones"

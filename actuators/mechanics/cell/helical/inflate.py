@@ -14,6 +14,7 @@ from actuators.mechanics.cell.helical.overlap import WallGap
 from actuators.mechanics.cell.helical.system import CellSystem
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.periodic import CellMesh, coarse_mesh
+from actuators.mechanics.continuum.cavity_gap import least_openness
 from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.continuum.surface_fields import StrainRecovery
 
@@ -36,12 +37,17 @@ def inflate(
 def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPath:
     points = course.points
     recovery = StrainRecovery(solver.system.free)
-    stretch = [float(recovery.at_points(p.state.nodes)[0].max()) for p in points]
+    region = solver.system.domain.mesh.region
+    regions = [np.flatnonzero(region == r) for r in range(region.max() + 1)]
+    found = (recovery.at_points(p.state.nodes)[0] for p in points)
+    stretch = np.array([[s[at].max(initial=1.0) for at in regions] for s in found])
+    stretch = stretch.reshape(-1, len(regions))
     contact = _contact_pressure(points, solver.system)
     notes = [f"The path of the periodic chamber ended: {course.reason}."] if course.reason else []
     wrinkled = next((p.pressure for p in points if p.wrinkles), None)
     if wrinkled is not None:
         notes.append(wrinkle_note(wrinkled))
+    notes += _emptied(points, solver.system)
     begins = None if contact is None else _touching_from(points, contact, solver.system)
     if contact is not None and begins is not None:
         notes.append(
@@ -57,7 +63,8 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
         volume=np.array([2 * p.volume for p in points]),
         volume_rate=np.array([p.law.volume_rate for p in points]).reshape(-1, 4),
         compliance=np.array([2 * p.growth for p in points]),
-        max_stretch=np.array(stretch),
+        max_stretch=stretch.max(axis=1),
+        region_stretch=stretch,
         contact_pressure=contact,
         touching_from=begins,
         outcome=course.outcome,
@@ -67,6 +74,21 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
         wall_s=time.perf_counter() - begun,
         notes=tuple(notes),
     )
+
+
+def _emptied(points: list[Point], system: CellSystem) -> list[str]:
+    """A note on cavity walls that suction has drawn through each other."""
+    if not points or points[-1].pressure >= 0.0:
+        return []
+    open_by = least_openness(system.domain.mesh, [p.state.nodes for p in points])
+    closed = np.flatnonzero(open_by < 0.0)
+    if len(closed) == 0:
+        return []
+    return [
+        f"Walls of the chamber run through each other from {points[closed[0]].pressure / 1e3:.3g} "
+        "kPa on: there is no contact inside the cavity here, and from there on the result is not "
+        "physical."
+    ]
 
 
 def _stiffness(points: list[Point]) -> np.ndarray:
