@@ -31,7 +31,9 @@ class CellPath:
     (k,) largest principal stretch at a Gauss point, ``region_stretch``: (k, r) of each of the
     body's regions; ``contact_pressure``: (k,) largest between the walls of neighbouring chambers
     [Pa], None where none face each other or contact was left out; ``touching_from``: pressure at
-    which they meet [Pa], None where they do not; ``period``: undeformed pitch [m].
+    which they meet [Pa], None where they do not; ``wrinkles_from``: pressure [Pa] from which on an
+    embedded layer without stiffness against bending would wrinkle, None where it would not;
+    ``period``: undeformed pitch [m].
 
     ``outcome``: ``converged``; ``limit_point``, with ``limit_pressure`` [Pa], where the pressure
     has a maximum (of suction, a minimum) and the last point stands there; ``stalled``, where no
@@ -51,6 +53,7 @@ class CellPath:
     region_stretch: np.ndarray
     contact_pressure: np.ndarray | None = None
     touching_from: float | None = None
+    wrinkles_from: float | None = None
     outcome: Outcome = Outcome.CONVERGED
     limit_pressure: float | None = None
     unknowns: int = 0

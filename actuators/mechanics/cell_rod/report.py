@@ -52,10 +52,16 @@ def advice_of(
     if limits:
         return Outcome.LIMIT_POINT, _beyond_the_limit(min(limits, key=abs), scene)
     end = pressures[-1] / 1e3
-    return Outcome.STALLED, (
-        f"The periodic chamber was found {'up' if end >= 0.0 else 'down'} to {end:.4g} kPa only. "
-        "Use the rung fe beyond."
-    )
+    found_to = f"The periodic chamber was found {'up' if end >= 0.0 else 'down'} to {end:.4g} kPa"
+    wrinkled = [p.wrinkles_from for p in paths if p.wrinkles_from is not None]
+    if wrinkled:
+        return Outcome.STALLED, (
+            f"{found_to} only: its embedded layer is pressed together so hard from "
+            f"{min(wrinkled, key=abs) / 1e3:.3g} kPa on that shapes with and without wrinkles lie "
+            "side by side. That is no limit of the pressure. Use the rung fe beyond, or take a "
+            "stiffer rubber."
+        )
+    return Outcome.STALLED, f"{found_to} only. Use the rung fe beyond."
 
 
 def _beyond_the_limit(limit: float, scene: Scene) -> str:

@@ -162,6 +162,8 @@ def test_a_layer_that_would_wrinkle_is_no_limit() -> None:
     materials = tuple(material(region.material) for region in body.regions)
     found = inflate_cell(body, materials, pressure_to=44e3)
     assert found.outcome is Outcome.CONVERGED
+    assert found.wrinkles_from is not None
+    assert 20e3 < found.wrinkles_from < 44e3
     bending = found.strain[:, 2] / found.pressure.clip(1.0)
     np.testing.assert_allclose(bending[1:], bending[1], rtol=0.05)
 

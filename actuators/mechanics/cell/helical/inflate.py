@@ -67,6 +67,7 @@ def _path(course: Course, solver: Solver, period: float, begun: float) -> CellPa
         region_stretch=stretch,
         contact_pressure=contact,
         touching_from=begins,
+        wrinkles_from=wrinkled,
         outcome=course.outcome,
         limit_pressure=course.limit,
         unknowns=solver.numbering.count,
