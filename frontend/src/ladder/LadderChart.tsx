@@ -41,7 +41,7 @@ function pictureOf(ladder: Ladder, width: number, height: number): Picture {
     const y = place.error === null ? SPACE.top : up.place(place.error);
     return { x: across.place(place.seconds), y, width: LETTER * shortName(point).length };
   });
-  const area = { x: SPACE.left, y: 0, width: width - SPACE.left - 2, height };
+  const area = { x: SPACE.left, y: 0, width: width - SPACE.left - 2, height: height - SPACE.bottom + 6 };
   const names = placeNames(at, area);
   const drawn = points.map((point, index) => ({
     point,

@@ -99,7 +99,7 @@ export function about(point: LadderPoint, also: readonly string[]): string[] {
   else {
     lines.push(`Tip's error: ${errorInWords(point)}.`);
     if (point.seconds) lines.push(`${isOpen(point) ? "Time of the whole path" : "Time"}: ${secondsInWords(point)}.`);
-    if (point.state === "predicted" && point.reason) lines.push(sentence(point.reason));
+    if (point.state === "predicted" && point.outcome !== "cancelled" && point.reason) lines.push(sentence(point.reason));
   }
   if (isEarly(point) || point.outcome === "limit_point") lines.push([outcomeInWords(point.outcome ?? ""), point.advice ?? ""].join(" ").trim());
   if (point.is_best) lines.push("The best answer so far.");

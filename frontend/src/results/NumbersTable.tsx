@@ -83,10 +83,14 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
 function FeHead({ fe, control, place }: { fe: ShownFe; control: Control; place: number }) {
   const shown = within(fe.result, place, control);
   const ended = Math.abs(place - shown) > 0.002 * Math.abs(place);
-  const end = fe.result.outcome === "limit_point" ? "limit" : "end";
+  const end = fe.result.outcome === "limit_point" ? "limit point at the end" : "end";
   return (
-    <th scope="col" className={fe.matches ? "series-fe" : "series-fe faded"}>
-      {ended ? `FE at ${placeInWords(shown, control)}, its ${end}` : "FE"}
+    <th
+      scope="col"
+      className={fe.matches ? "series-fe" : "series-fe faded"}
+      title={ended ? `Its numbers at ${placeInWords(shown, control)}, the ${end} of its path` : undefined}
+    >
+      {ended ? `FE at ${placeInWords(shown, control)}` : "FE"}
     </th>
   );
 }
