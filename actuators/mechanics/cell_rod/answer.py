@@ -143,6 +143,7 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
     outcome, advice = advice_of(
         question.paths, scene, solved.pressures, found, loads=solved.path.loads, short=short
     )
+    trusted = trusted_to(paths, solved.pressures[:found])
     response = Response(
         design=design,
         scene=scene,
@@ -151,9 +152,10 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         path=_points(question, solved),
         advice=advice,
         centreline=centreline(solved.path, layout.length),
-        error_estimate=estimate(design),
+        # what was measured says nothing of a path that goes on to where chambers give way
+        error_estimate=estimate(design) if trusted is None else None,
         limit_pressure=_limit(paths) if outcome is Outcome.LIMIT_POINT else None,
-        trusted_to=trusted_to(paths, solved.pressures[:found]),
+        trusted_to=trusted,
         unknowns=sum(p.unknowns for p in paths) + 6 * len(layout.length),
         newton_iterations=solved.path.iterations + sum(a.iterations for a in (*paths, *changes)),
         effects=cell_rod_effects(question, solved),

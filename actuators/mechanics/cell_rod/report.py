@@ -153,7 +153,9 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
         notes.append(
             f"One chamber among equals has its {'maximum' if limit > 0.0 else 'minimum'} of "
             f"pressure at {limit / 1e3:.4g} kPa. Beyond {trusted / 1e3:.3g} kPa chambers of a body "
-            "may answer unequally and reach theirs sooner: look with the rung fe."
+            "may answer unequally and reach theirs sooner, and loads bend them far: look with the "
+            f"rung fe. Up to there the tip is expected within "
+            f"{100 * estimate(question.design):.2g} % of its way, beyond there is no estimate."
         )
     if len(solved.path.strains):
         bent = (
