@@ -18,6 +18,7 @@ from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, r
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
 from actuators.mechanics.cell_rod.held import give, hold, shifted
 from actuators.mechanics.cell_rod.report import (
+    BEYOND_TRUST,
     advice_of,
     cell_rod_effects,
     cell_rod_notes,
@@ -152,8 +153,7 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         path=_points(question, solved),
         advice=advice,
         centreline=centreline(solved.path, layout.length),
-        # what was measured says nothing of a path that goes on to where chambers give way
-        error_estimate=estimate(design) if trusted is None else None,
+        error_estimate=estimate(design) if trusted is None else BEYOND_TRUST,
         limit_pressure=_limit(paths) if outcome is Outcome.LIMIT_POINT else None,
         trusted_to=trusted,
         unknowns=sum(p.unknowns for p in paths) + 6 * len(layout.length),

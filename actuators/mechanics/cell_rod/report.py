@@ -107,6 +107,8 @@ def estimate(design: Design) -> float:
     return MEASURED[design.family] * max(1.0, FEW / len(pitch_starts(design)[0]))
 
 
+BEYOND_TRUST = 1.0
+"""Expected error of a path that goes on to where chambers give way: all of the tip's way."""
 MEASURED = {"slab": 0.08, "oblique": 0.03, "printed": 0.03, "bellows": 0.045}
 """Largest deviation of the tip from 3D, over its way, on the paths of the presets whose 3D answer
 has an estimated error of its own (benchmarks.cell_rod; docs/cell_rod.md): slabs with one soft body
@@ -155,7 +157,7 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
             f"pressure at {limit / 1e3:.4g} kPa. Beyond {trusted / 1e3:.3g} kPa chambers of a body "
             "may answer unequally and reach theirs sooner, and loads bend them far: look with the "
             f"rung fe. Up to there the tip is expected within "
-            f"{100 * estimate(question.design):.2g} % of its way, beyond there is no estimate."
+            f"{100 * estimate(question.design):.2g} % of its way, beyond it may be anywhere."
         )
     if len(solved.path.strains):
         bent = (

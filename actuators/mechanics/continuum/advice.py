@@ -99,7 +99,7 @@ def _overloaded(path: Path, scene: Scene) -> str:
     if scene.tip_force is not None:
         loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
     named = " and ".join(loads) or "no load"
-    shown = f"Shown is the body under {path.loads:.0%} of that."
+    shown = f"Shown is the body under {100 * path.loads:.2g} % of that."
     if path.outcome is Outcome.CANCELLED:
         return f"Cancelled under {named}, before any inflation. {shown}"
     if path.outcome is Outcome.BUDGET_SPENT:

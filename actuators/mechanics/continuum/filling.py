@@ -42,7 +42,9 @@ def fill(
                 path.by_arc += walk.by_arc
             return visited
         if path.limit is None and sign * (found.pressure - last.pressure) < 0:
-            path.limit = tracer.summit(walk.trail, sign)
+            top = tracer.summit(walk.trail, sign)
+            # where the path has leapt to another branch, there is no maximum between its states
+            path.limit = top if sign * (top.pressure - last.pressure) >= 0 else last
             if stops is None and path.limit is not last:
                 _insert(visited, path.limit, last, sign)
         tracer.told(found)

@@ -1,11 +1,12 @@
 """What a designer must read beside the numbers: effects, notes, advice when a path ends early."""
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 import numpy as np
 
 from actuators.materials import Material
+from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.effects import Decision, EffectPlan
@@ -13,6 +14,8 @@ from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, PathPoint
 from actuators.mechanics.scene import Scene
 
+MOSTLY_SAG = 2.0
+"""Whole way of the tip over what inflation makes of it, from which on this is said."""
 VISIBLE_OVERLAP = 0.01e-3
 """Overlaps below this [m] are taken for touching."""
 
@@ -26,7 +29,7 @@ def path_notes(path: Path, parts: float) -> list[str]:
         notes.append(wrinkle_note(wrinkled.pressure))
     if not path.by_volume:
         return notes
-    if path.limit is not None:
+    if path.limit is not None and not _passed_before(path, path.limit):
         notes.append(
             f"The pressure has its maximum of {path.limit.pressure / 1e3:.3g} kPa at "
             f"{parts * path.limit.volume * 1e6:.4g} ml: a source of constant pressure makes the "
@@ -49,6 +52,31 @@ def path_notes(path: Path, parts: float) -> list[str]:
             "between are not seen in practice."
         )
     return notes
+
+
+def _passed_before(path: Path, limit: Equilibrium) -> bool:
+    """Whether a state before ``limit`` has more pressure: the path has leapt in between."""
+    if all(point is not limit for point in path.points):
+        return False
+    earlier = takewhile(lambda point: point is not limit, path.points)
+    return any(abs(point.pressure) > abs(limit.pressure) for point in earlier)
+
+
+def sag_notes(points: Sequence[PathPoint], error: float | None) -> list[str]:
+    """What an ``error`` of the tip's whole way means for the part of it that inflation makes, where
+    the loads before it make most of the way."""
+    tips = np.array([point.tip_displacement for point in points]).reshape(-1, 3)
+    if error is None or len(tips) == 0:
+        return []
+    way = float(np.linalg.norm(tips, axis=1).max())
+    inflation = float(np.linalg.norm(tips - tips[0], axis=1).max())
+    if inflation == 0.0 or way < MOSTLY_SAG * inflation:
+        return []
+    return [
+        f"Most of the tip's way of {way * 1e3:.3g} mm is made by the loads before inflation, which "
+        f"moves it by {inflation * 1e3:.3g} mm. The estimated error is a part of the whole way: up "
+        f"to {100 * error * way / inflation:.2g} % of what inflation does."
+    ]
 
 
 def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[str]:

@@ -24,6 +24,7 @@ from actuators.mechanics.continuum.findings import (
     overlap_note,
     path_notes,
     range_notes,
+    sag_notes,
 )
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sections import RodShape, rod_shape
@@ -88,6 +89,7 @@ def recover(
             notes += collapse_notes(points, least_openness(mesh, states))
     if note is not None:
         notes.append(note)
+    notes += sag_notes(points, answer.errors.get("tip"))
     notes += unseen_notes(system, answer.path.points)
     notes += left_out_notes(plan)
     found = {**contact_findings(points, touching, note), **(came_of_it or {})}

@@ -1,6 +1,7 @@
 """Paths: gravity, limit points, cancellation, what a response holds."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from actuators.design import preset
 from actuators.errors import QuestionError
 from actuators.mechanics.continuum import Progress, solve
+from actuators.mechanics.continuum.findings import sag_notes
 from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import PathFollower
@@ -98,6 +100,22 @@ def test_droop_of_a_solid_bar_is_that_of_a_beam() -> None:
     assert droop == pytest.approx(beam, rel=0.02)
 
 
+def test_the_error_of_a_way_that_is_mostly_sag_is_said_of_inflation_too(
+    inflated: Response,
+) -> None:
+    tips = np.array([p.tip_displacement for p in inflated.path])
+    stroke = float(np.linalg.norm(tips - tips[0], axis=1).max())
+    sagged = [
+        replace(p, tip_displacement=(0.0, 0.0, -9 * stroke + stroke * (k > 0)))
+        for k, p in enumerate(inflated.path)
+    ]
+    (note,) = sag_notes(sagged, 0.02)
+    assert "up to 18 % of what inflation does" in note
+    assert sag_notes([replace(p, tip_displacement=(0.0, 0.0, 1e-3 * k)) for k, p in
+                      enumerate(inflated.path)], 0.02) == []  # fmt: skip
+    assert sag_notes(sagged, None) == []
+
+
 def test_response_holds_what_the_page_needs(inflated: Response) -> None:
     assert inflated.outcome is Outcome.CONVERGED
     assert [p.pressure for p in inflated.path] == pytest.approx([0, 1.5e3, 3e3, 4.5e3, 6e3])
@@ -164,7 +182,7 @@ def test_spent_time_budget_is_an_outcome() -> None:
     assert found.outcome is Outcome.BUDGET_SPENT
     (rest,) = found.path  # the body as it was cast
     assert rest.tip_displacement == (0.0, 0.0, 0.0)
-    assert "under 0% of that" in (found.advice or "")
+    assert "under 0 % of that" in (found.advice or "")
     found.to_document()
 
 
