@@ -17,7 +17,6 @@ a moment. All of it is geometry: nothing is fitted to a path or an experiment.
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 
 from actuators.design import Design, SlabDesign
 from actuators.geometry import build_body, build_cell
@@ -67,7 +66,6 @@ def _solve(design: SlabDesign) -> Grip:
     from actuators.mechanics.continuum.assembly import linear_system
     from actuators.mechanics.continuum.kernel.cavity import face_traction
     from actuators.mechanics.continuum.outer_loads import end_tractions, underside_faces
-    from actuators.mechanics.direct_solver import open_solver
     from actuators.meshing import mesh_body
 
     mesh = mesh_body(build_body(design).half())
@@ -76,21 +74,14 @@ def _solve(design: SlabDesign) -> Grip:
     held = np.zeros((len(at), 3), dtype=bool)
     held[at[:, 0] < 1e-9] = True
     held[np.abs(at[:, 1]) < 1e-9, 1] = True
-    free = np.flatnonzero(~held.ravel())
-    matrix = sp.csr_matrix(sp.triu(system.stiffness[free][:, free]))
-    matrix.sort_indices()
-    solver = open_solver(matrix.indptr, matrix.indices)
-    solver.factorize(matrix.data)
     force = end_tractions(mesh)[0] / 2
     spread = np.zeros_like(force)
     face_traction(mesh.nodes, underside_faces(mesh), spread)
     outer = [load[system.nodes].ravel() for load in (spread, force)]
-    loads = np.stack([system.pressure_load, *outer], axis=1)[free]
-    motion = np.zeros((3 * len(mesh.nodes), 3))
-    rows = (3 * system.nodes[:, None] + np.arange(3)).ravel()[free]
-    motion[rows] = solver.solve(loads)
+    motion = np.zeros((len(mesh.nodes), 3, 3))
+    motion[system.nodes] = system.motions(held, np.stack([system.pressure_load, *outer], axis=1))
     line = mesh.underside_line
-    x, z = mesh.nodes[line, 0], motion.reshape(-1, 3, 3)[line, 2]
+    x, z = mesh.nodes[line, 0], motion[line, 2]
     return _read(design, x, z)
 
 

@@ -16,7 +16,6 @@ displacements, the others follow by Betti's theorem.
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 
 from actuators.design import BLOCK_FAMILIES, Design, ObliqueDesign, PrintedDesign
 from actuators.geometry import build_body
@@ -118,7 +117,6 @@ def _motions(mesh: HexMesh, *, whole: bool) -> np.ndarray:
     # the 3D solver's kernels: only where an answer needs them
     from actuators.mechanics.continuum.assembly import linear_system
     from actuators.mechanics.continuum.outer_loads import end_tractions
-    from actuators.mechanics.direct_solver import open_solver
 
     system = linear_system(mesh)
     at = mesh.nodes[system.nodes]
@@ -126,11 +124,6 @@ def _motions(mesh: HexMesh, *, whole: bool) -> np.ndarray:
     held[np.abs(at[:, 0]) < 1e-9] = True
     if not whole:
         held[np.abs(at[:, 1]) < 1e-9, 1] = True
-    free = np.flatnonzero(~held.ravel())
-    matrix = sp.csr_matrix(sp.triu(system.stiffness[free][:, free]))
-    matrix.sort_indices()
-    solver = open_solver(matrix.indptr, matrix.indices)
-    solver.factorize(matrix.data)
     force, moment = end_tractions(mesh)
     forces = np.zeros((*mesh.nodes.shape, _LOADS))
     forces[..., 1 + BENDING] = moment if whole else moment / 2
@@ -139,9 +132,9 @@ def _motions(mesh: HexMesh, *, whole: bool) -> np.ndarray:
         forces[..., 3] = _moment_about(mesh, force[:, 2], 2)
     loads = forces[system.nodes].reshape(-1, _LOADS)
     loads[:, 0] = system.pressure_load
-    motion = np.zeros((3 * len(mesh.nodes), _LOADS))
-    motion[(3 * system.nodes[:, None] + np.arange(3)).ravel()[free]] = solver.solve(loads[free])
-    return motion.reshape(-1, 3, _LOADS)
+    motion = np.zeros((len(mesh.nodes), 3, _LOADS))
+    motion[system.nodes] = system.motions(held, loads)
+    return motion
 
 
 def _moment_about(mesh: HexMesh, share: np.ndarray, axis: int) -> np.ndarray:

@@ -9,6 +9,7 @@ import scipy.sparse as sp
 from actuators.materials import Material, material
 from actuators.mechanics.continuum.kernel.cavity import face_traction
 from actuators.mechanics.continuum.system import ContinuumSystem
+from actuators.mechanics.direct_solver import open_solver
 from actuators.meshing import HexMesh
 
 
@@ -26,6 +27,18 @@ class LinearSystem:
     stiffness: sp.csr_matrix
     pressure_load: np.ndarray
     nodes: np.ndarray
+
+    def motions(self, held: np.ndarray, loads: np.ndarray) -> np.ndarray:
+        """(k, 3, m) displacements [m] under ``loads`` (3 k, m) [N] where ``held`` (k, 3) components
+        stay; raises FactorizationError where that leaves a rigid motion."""
+        free = np.flatnonzero(~held.ravel())
+        matrix = sp.csr_matrix(sp.triu(self.stiffness[free][:, free]))
+        matrix.sort_indices()
+        solver = open_solver(matrix.indptr, matrix.indices)
+        solver.factorize(matrix.data)
+        motion = np.zeros_like(loads)
+        motion[free] = solver.solve(loads[free])
+        return motion.reshape(-1, 3, loads.shape[1])
 
 
 def region_materials(mesh: HexMesh) -> tuple[Material, ...]:
