@@ -1,17 +1,24 @@
 """How far the instant rungs are from the cell and rod: random designs of every family, at every
-strain that they come to.
+strain and pressure that they come to.
 
-    python -m benchmarks.instant_error [--designs 200] [--seconds 600] [--seed 21]
+    python -m benchmarks.instant_error measure FILE [--designs 200] [--seconds 240] [--seed 21]
+                                                    [--part 0/2]
+    python -m benchmarks.instant_error write FILE...
+    python -m benchmarks.instant_error draw FILE...      # needs matplotlib
 
-Writes quantiles of the error of the tip's displacement, by family and by the largest strain of the
-linear cell, into the package (``typical_errors.json``), and prints them. Designs are random ones
-(``benchmarks/random_questions.py``) of 5 to 9 chambers, inflated under gravity.
+``measure`` adds one line of JSON per design to FILE and leaves out those that stand there already,
+so that it can be stopped and begun again, or run in parts side by side. ``write`` puts quantiles of
+the error of the tip's displacement, by family and by the largest strain of the linear cell, into
+the package (``typical_errors.json``) and prints them; ``draw`` puts the map over strain and
+pressure into docs/pictures. Designs are random ones (``benchmarks/random_questions.py``) of 5 to 9
+chambers, inflated under gravity.
 """
 
 import argparse
 import json
 import math
 import time
+from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -28,7 +35,8 @@ from actuators.mechanics.response import Response
 from actuators.mechanics.scene import STRONGEST, Scene
 from benchmarks.random_questions import STRAINS, random_design
 
-FILE = Path(typical_module.__file__).parent / typical_module.FILE
+TABLE = Path(typical_module.__file__).parent / typical_module.FILE
+PICTURE = Path(__file__).parent.parent / "docs" / "pictures" / "error_map.png"
 REFERENCE = "cell-rod"
 CHAMBERS = (5, 9)
 """Fewer than five, and the reference misses the ends of the body itself."""
@@ -38,6 +46,8 @@ FEWEST = 10
 """Designs that a level needs before it is written down."""
 JUDGED = ("closed-form", "energy")
 
+Entry = dict[str, Any]
+
 
 def levels(family: str) -> np.ndarray:
     """Strains at which errors are read off, (LEVELS,)."""
@@ -45,56 +55,85 @@ def levels(family: str) -> np.ndarray:
     return np.geomspace(low / 2, high, LEVELS)
 
 
-def errors_of(design: Design) -> dict[str, np.ndarray] | None:
-    """Error of each judged rung at every level, (LEVELS,), not a number beyond where the reference
-    ends; None where the reference has no answer."""
+def design_of(seed: int, family: str, number: int) -> Design:
+    """The same design for the same three, whatever was drawn before."""
+    rng = np.random.default_rng([seed, list(FAMILIES).index(family), number])
+    return random_design(rng, family, CHAMBERS)
+
+
+def compared(design: Design) -> Entry:
+    """Errors of each judged rung on the path of the reference, as far as that is to be trusted:
+    ``pressure_kPa``, ``strain`` of the linear cell and ``errors`` (fractions of the tip's way), k
+    each; only ``refused`` where the reference has no answer."""
+    begun = time.process_time()
     per_pressure = chamber_row(design).largest_strain
-    strain = levels(design.family)
-    scene = Scene(min(float(strain[-1]) / per_pressure, STRONGEST), steps=STEPS)
+    last = min(float(levels(design.family)[-1]) / per_pressure, STRONGEST)
+    scene = Scene(last, steps=STEPS)
     try:
         best = predict(design, scene, rung=REFERENCE)
     except QuestionError as refusal:
-        print(f"{design.family}: {refusal}")
-        return None
-    if len(best.path) < 2:
-        return None
+        return {"refused": str(refusal)}
+    pressure = np.array([p.pressure for p in best.path])
+    trusted = pressure <= (math.inf if best.trusted_to is None else best.trusted_to)
+    pressure = pressure[trusted]
     return {
-        rung: _errors(predict(design, scene, rung=rung), best, strain / per_pressure)
-        for rung in JUDGED
+        "outcome": best.outcome.value,
+        "asked_kPa": _short(last / 1e3),
+        "pressure_kPa": [_short(p / 1e3) for p in pressure],
+        "strain": [_short(per_pressure * p) for p in pressure],
+        "errors": {
+            rung: [_short(e) for e in _errors(predict(design, scene, rung=rung), best, trusted)]
+            for rung in JUDGED
+        },
+        "cpu": round(time.process_time() - begun, 2),
     }
 
 
 def _errors(answer: Response, best: Response, at: np.ndarray) -> np.ndarray:
-    count = min(len(answer.path), len(best.path))
-    pressure = np.array([p.pressure for p in best.path[:count]])
-    wanted = np.array([p.tip_displacement for p in best.path[:count]])
+    pressure = np.array([p.pressure for p in best.path])[at]
+    wanted = np.array([p.tip_displacement for p in best.path])[at]
     tried = np.array([p.pressure for p in answer.path])
     moved = np.array([p.tip_displacement for p in answer.path])
     moved = np.stack([np.interp(pressure, tried, column) for column in moved.T], axis=1)
     way = np.maximum(np.linalg.norm(wanted, axis=1), STILL * answer.design.length)
-    off = np.linalg.norm(moved - wanted, axis=1) / way
-    return np.interp(at, pressure, off, right=np.nan)
+    return np.linalg.norm(moved - wanted, axis=1) / way
 
 
-def measure(seed: int, designs: int, seconds: float) -> dict[str, dict[str, list[np.ndarray]]]:
-    """Errors by rung and family, of up to ``designs`` designs of each in ``seconds`` [s] of
-    processor time."""
-    rng = np.random.default_rng(seed)
-    found: dict[str, dict[str, list[np.ndarray]]] = {
-        rung: {family: [] for family in FAMILIES} for rung in JUDGED
-    }
-    begun = time.process_time()
-    for _ in range(designs):
+def measure(file: Path, seed: int, designs: int, seconds: float, part: tuple[int, int]) -> None:
+    """Add designs to ``file`` until it holds ``designs`` of each family, or for so many seconds on
+    the clock; of the numbers only those that leave ``part[0]`` divided by ``part[1]``."""
+    there = {(e["seed"], e["family"], e["number"]) for e in read([file])} if file.exists() else ()
+    end = time.monotonic() + seconds
+    for number in range(part[0], designs, part[1]):
         for family in FAMILIES:
-            if time.process_time() - begun > seconds:
-                return found
-            errors = errors_of(random_design(rng, family, CHAMBERS))
-            for rung, values in (errors or {}).items():
-                found[rung][family].append(values)
-    return found
+            if (seed, family, number) in there:
+                continue
+            if time.monotonic() > end:
+                return
+            design = design_of(seed, family, number)
+            entry = {"seed": seed, "family": family, "number": number,
+                     "design": design.to_document(), **compared(design)}  # fmt: skip
+            with file.open("a") as out:
+                out.write(json.dumps(entry) + "\n")
+            told = f"{entry['outcome']}, {entry['cpu']} s" if "cpu" in entry else entry["refused"]
+            print(number, family, told, flush=True)
 
 
-def quantiles(family: str, errors: list[np.ndarray], source: str) -> dict[str, Any] | None:
+def read(files: Sequence[Path]) -> list[Entry]:
+    """Entries of files that :func:`measure` wrote."""
+    return [json.loads(line) for file in files for line in file.read_text().splitlines()]
+
+
+def read_off(entry: Entry, rung: str) -> np.ndarray:
+    """Errors of ``rung`` at the family's levels, (LEVELS,), not a number beyond where the reference
+    ends."""
+    strain = np.array(entry["strain"])
+    if len(strain) < 2:
+        return np.full(LEVELS, np.nan)
+    return np.interp(levels(entry["family"]), strain, entry["errors"][rung], right=np.nan)
+
+
+def quantiles(family: str, errors: Sequence[np.ndarray], source: str) -> dict[str, Any] | None:
     """Half and four fifths of the designs at each level that enough of them came to."""
     if not errors:
         return None
@@ -104,35 +143,31 @@ def quantiles(family: str, errors: list[np.ndarray], source: str) -> dict[str, A
         return None
     half, most = np.nanquantile(table[:, there], [0.5, 0.8], axis=0)
     return {
-        "strain": [_short(x) for x in levels(family)[there]],
-        "half_below_percent": [_short(100 * x) for x in half],
-        "four_of_five_below_percent": [_short(100 * x) for x in most],
+        "strain": [_short(x, 2) for x in levels(family)[there]],
+        "half_below_percent": [_short(100 * x, 2) for x in half],
+        "four_of_five_below_percent": [_short(100 * x, 2) for x in most],
         "source": f"{len(errors)} random designs against {source}",
     }
 
 
-def _short(value: float) -> float:
-    return float(f"{max(value, 1e-4):.2g}") if math.isfinite(value) else value
+def _short(value: float, digits: int = 4) -> float:
+    return float(f"{value:.{digits}g}")
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--designs", type=int, default=200)
-    parser.add_argument("--seconds", type=float, default=600.0)
-    parser.add_argument("--seed", type=int, default=21)
-    asked = parser.parse_args()
-    found = measure(asked.seed, asked.designs, asked.seconds)
-    document = json.loads(FILE.read_text(encoding="utf-8"))
+def write(entries: Sequence[Entry]) -> None:
+    """Put the quantiles into the package and print them."""
+    document = json.loads(TABLE.read_text(encoding="utf-8"))
     source = f"{REFERENCE}, {date.today()}"
-    for rung, families in found.items():
-        for family, errors in families.items():
-            entry = quantiles(family, errors, source)
+    for rung in JUDGED:
+        for family in FAMILIES:
+            known = [read_off(e, rung) for e in entries if e["family"] == family and "errors" in e]
+            entry = quantiles(family, known, source)
             if entry is None:
-                print(f"{rung}, {family}: too few answers ({len(errors)})")
+                print(f"{rung}, {family}: too few answers ({len(known)})")
                 continue
             document["rungs"][rung][family] = entry
             _print(rung, family, entry)
-    FILE.write_text(_compact(document) + "\n", encoding="utf-8")
+    TABLE.write_text(_compact(document) + "\n", encoding="utf-8")
 
 
 def _print(rung: str, family: str, entry: dict[str, Any]) -> None:
@@ -155,6 +190,65 @@ def _compact(document: dict[str, Any]) -> str:
             lines.append("   }" + ("," if f < len(families) - 1 else ""))
         lines.append("  }" + ("," if r < len(rungs) - 1 else ""))
     return "\n".join([*lines, " }", "}"])
+
+
+def draw(entries: Sequence[Entry]) -> None:
+    """The map of the energy rung: every design a line over strain and pressure, coloured by its
+    error."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    from matplotlib.collections import LineCollection
+    from matplotlib.colors import LogNorm
+
+    figure, axes = pyplot.subplots(2, 2, figsize=(10, 7.5), layout="constrained")
+    shades = LogNorm(0.01, 1.0)
+    drawn = None
+    for axis, family in zip(axes.flat, FAMILIES, strict=True):
+        own = [e for e in entries if e["family"] == family and len(e.get("strain", ())) > 2]
+        pieces, colours = [], []
+        for entry in own:
+            at = np.stack([entry["strain"], entry["pressure_kPa"]], axis=1)[1:]
+            errors = np.array(entry["errors"]["energy"])[1:]
+            pieces.append(np.stack([at[:-1], at[1:]], axis=1))
+            colours.append(np.maximum(np.sqrt(errors[:-1] * errors[1:]), 0.01))
+        drawn = LineCollection(
+            list(np.concatenate(pieces)), array=np.concatenate(colours), norm=shades,
+            cmap="turbo", linewidths=1.2,
+        )  # fmt: skip
+        axis.add_collection(drawn)
+        axis.set(xscale="log", yscale="log", title=f"{family}, {len(own)} designs")
+        axis.autoscale()
+        axis.set(xlabel="largest strain of the linear cell", ylabel="pressure, kPa")
+        axis.xaxis.set_major_formatter(lambda x, _: f"{100 * x:g} %")
+        axis.yaxis.set_major_formatter(lambda x, _: f"{x:g}")
+    assert drawn is not None
+    bar = figure.colorbar(drawn, ax=axes, label="error of the tip's displacement", shrink=0.8)
+    bar.set_ticks([0.01, 0.03, 0.1, 0.3, 1.0], labels=["1 %", "3 %", "10 %", "30 %", "100 %"])
+    figure.savefig(PICTURE, dpi=90)
+
+
+def _part(text: str) -> tuple[int, int]:
+    which, of = text.split("/")
+    return int(which), int(of)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("what", choices=("measure", "write", "draw"))
+    parser.add_argument("files", nargs="+", type=Path)
+    parser.add_argument("--designs", type=int, default=200)
+    parser.add_argument("--seconds", type=float, default=math.inf)
+    parser.add_argument("--seed", type=int, default=21)
+    parser.add_argument("--part", type=_part, default=(0, 1))
+    asked = parser.parse_args()
+    if asked.what == "measure":
+        measure(asked.files[0], asked.seed, asked.designs, asked.seconds, asked.part)
+    elif asked.what == "write":
+        write(read(asked.files))
+    else:
+        draw(read(asked.files))
 
 
 if __name__ == "__main__":
