@@ -10,7 +10,9 @@ import numpy as np
 from actuators.geometry import Body
 from actuators.materials import Material
 
-_RESOLUTION = 1e-10  # m: what arithmetic leaves behind is no new cell, and no dimension is as small
+_RESOLUTION = 32
+"""Binary digits that positions are told apart by, of the cell's size: what arithmetic leaves behind
+is no new cell, and no dimension is as small."""
 T = TypeVar("T")
 
 
@@ -57,6 +59,9 @@ def _shape_key(body: Body) -> Hashable:
         x = lines[0]
         lines = (np.concatenate([x, (x[:-1] + x[1:]) / 2]), *lines[1:])
     corners = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)
-    position = np.rint(body.place(corners) / _RESOLUTION).astype(np.int64)
+    placed = body.place(corners)
+    # a cell of micrometres has as many digits as one of metres; which they are is part of the key
+    scale = int(np.frexp(np.abs(placed).max())[1])
+    position = np.rint(np.ldexp(placed, _RESOLUTION - scale)).astype(np.int64)
     sheets = tuple((s.plane, s.stiffness) for s in body.membranes)
-    return position.tobytes(), body.fill.shape, body.fill.tobytes(), sheets
+    return scale, position.tobytes(), body.fill.shape, body.fill.tobytes(), sheets

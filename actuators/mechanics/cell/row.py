@@ -13,6 +13,8 @@ from actuators.mechanics.cell.periodic import box_moments
 WIDTHS = 4
 """Cells solved for a tapered slab; the widths between them are interpolated by a cubic, which a
 test finds within 0.5 % of a cell of their own (0.24 % measured at the narrow end of a triangle)."""
+_DIGITS = 30
+"""Binary digits of the largest width that widths are told apart by."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +94,9 @@ def _slab_cells(design: SlabDesign) -> tuple[list[Body], np.ndarray]:
     """Prismatic cells, and their weights (n, cells) in the answer of each chamber."""
     middles = design.chamber_starts() + design.chamber_length / 2
     widths = 2 * np.asarray(design.half_width(middles))
-    distinct, member = np.unique(np.round(widths, 9), return_inverse=True)
+    # widths that differ by rounding are one
+    step = np.ldexp(1.0, int(np.frexp(widths.max())[1]) - _DIGITS)
+    distinct, member = np.unique(np.round(widths / step) * step, return_inverse=True)
     if len(distinct) <= WIDTHS:
         weights = np.eye(len(distinct))[member]
     else:

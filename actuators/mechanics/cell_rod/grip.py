@@ -28,6 +28,8 @@ from actuators.mechanics.rod.pieces import layout_of
 
 FEWEST = 3
 """Chambers that a body must have for its inside to be read off."""
+NEAR = 1e-7
+"""Of the length: as good as there."""
 BENDING = 2
 
 
@@ -72,8 +74,9 @@ def _solve(design: SlabDesign) -> Grip:
     system = linear_system(mesh)
     at = mesh.nodes[system.nodes]
     held = np.zeros((len(at), 3), dtype=bool)
-    held[at[:, 0] < 1e-9] = True
-    held[np.abs(at[:, 1]) < 1e-9, 1] = True
+    near = NEAR * design.length
+    held[at[:, 0] < near] = True
+    held[np.abs(at[:, 1]) < near, 1] = True
     force = end_tractions(mesh)[0] / 2
     spread = np.zeros_like(force)
     face_traction(mesh.nodes, underside_faces(mesh), spread)

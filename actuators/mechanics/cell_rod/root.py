@@ -27,6 +27,8 @@ from actuators.meshing import HexMesh
 CHAMBERS = 4
 """Of the body that is solved; the last is not read, for it feels its own end."""
 TORSION, BENDING, SIDEWAYS = 0, 1, 2
+NEAR = 1e-7
+"""Of the length: as good as there."""
 _LOADS = 4  # pressure, moments about X1, X2, X3
 Blocks = ObliqueDesign | PrintedDesign
 
@@ -72,7 +74,7 @@ def _solve(design: Blocks) -> Root:
     body = build_body(design)
     whole = not body.symmetric
     mesh = mesh_body(body if whole else body.half())
-    motion = _motions(mesh, whole=whole)
+    motion = _motions(mesh, design.length, whole=whole)
     turned, moved = _middles(design, mesh, motion)
     row = chamber_row(design)
     start, pitch = pitch_starts(design)
@@ -80,7 +82,7 @@ def _solve(design: Blocks) -> Root:
     own, pressed = np.linalg.inv(row.stiffness[0])[1:, 1:], row.free[0, 1:]
     per_length = np.concatenate([pressed[:, None], own], axis=1)
     layout = layout_of(design, row)
-    solid = layout.stations[1:] <= start[0] + 1e-12
+    solid = layout.stations[1:] <= start[0] + NEAR * design.length
     ends = np.linalg.inv(layout.solid[solid])[:, 1:, 1:]
     before = np.zeros((3, _LOADS))
     before[:, 1:] = np.einsum("sij,s->ij", ends, layout.length[solid])
@@ -111,7 +113,7 @@ def _line(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return found[0].reshape(y.shape[1:]), found[1].reshape(y.shape[1:])
 
 
-def _motions(mesh: HexMesh, *, whole: bool) -> np.ndarray:
+def _motions(mesh: HexMesh, length: float, *, whole: bool) -> np.ndarray:
     """(n, 3, loads) displacements under pressure 1 Pa and unit moments on the free end; of a half
     body only pressure and bending, 0 else."""
     # the 3D solver's kernels: only where an answer needs them
@@ -121,9 +123,9 @@ def _motions(mesh: HexMesh, *, whole: bool) -> np.ndarray:
     system = linear_system(mesh)
     at = mesh.nodes[system.nodes]
     held = np.zeros((len(at), 3), dtype=bool)
-    held[np.abs(at[:, 0]) < 1e-9] = True
+    held[np.abs(at[:, 0]) < NEAR * length] = True
     if not whole:
-        held[np.abs(at[:, 1]) < 1e-9, 1] = True
+        held[np.abs(at[:, 1]) < NEAR * length, 1] = True
     force, moment = end_tractions(mesh)
     forces = np.zeros((*mesh.nodes.shape, _LOADS))
     forces[..., 1 + BENDING] = moment if whole else moment / 2
@@ -151,12 +153,13 @@ def _middles(design: Blocks, mesh: HexMesh, motion: np.ndarray) -> tuple[np.ndar
     x, y, z = mesh.nodes.T
     under = np.zeros(len(x), dtype=bool)
     under[np.unique(mesh.outer_faces.nodes)] = True
-    under &= z < 1e-9
-    whole = bool(y.min() < -1e-9)
+    near = NEAR * design.length
+    under &= z < near
+    whole = bool(y.min() < -near)
     along = x - y * design.bar.cot_theta
     turned, moved = [], []
     for middle in start + pitch / 2:
-        mine = under & (np.abs(along - middle) < pitch / 2 + 1e-9)
+        mine = under & (np.abs(along - middle) < pitch / 2 + near)
         arm, shift = mesh.nodes[mine] - [middle, 0.0, 0.0], motion[mine]
         columns = np.zeros((len(arm), 3, 6))
         columns[:, [0, 1, 2], [3, 4, 5]] = 1.0

@@ -14,6 +14,8 @@ FINEST = 24
 """Pieces no longer than 1/24 of the length: weight bends them by their middle's moment, an error
 below 0.1 % of the droop (a test halves them)."""
 SOLID = -1
+NO_END = 1e-9
+"""Of the length: an end as short as this is none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +84,7 @@ def layout_of(design: Design, row: ChamberRow, *, finest: int = FINEST) -> Layou
     mass, height = list(row.line_mass), list(row.mass_height)
     solid = [np.zeros((4, 4)) for _ in spans]
     for left, right in ((0.0, float(begin[0])), (float(end[-1]), design.length)):
-        if right - left <= 1e-9:
+        if right - left <= NO_END * design.length:
             continue
         section, line_mass, centre = _solid_end(design, (left + right) / 2)
         at = 0 if left == 0.0 else len(spans)

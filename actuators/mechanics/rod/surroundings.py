@@ -63,7 +63,8 @@ def obstacles_of(design: Design, layout: Layout, scene: Scene, moment: float) ->
         place=np.array([p for _, p, _, _ in kinds], dtype=float),
         direction=np.array([d for _, _, d, _ in kinds], dtype=float),
         radius=np.array([r for *_, r in kinds], dtype=float),
-        stiffness=max(load, 1e-9) / (SPREAD * length) / (DEPTH * length),
+        # nothing presses where nothing acts, however hard the surfaces are
+        stiffness=(float(load) or 1.0) / (SPREAD * length) / (DEPTH * length),
         softness=DEPTH * length / 2,
     )
 

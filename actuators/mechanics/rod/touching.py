@@ -31,8 +31,9 @@ def gap(kind: int, place: np.ndarray, direction: np.ndarray, radius: float, at: 
         normal[a] = at[a] - place[a] - along * direction[a]
         square += normal[a] * normal[a]
     distance = math.sqrt(square)
-    for a in range(3):
-        normal[a] /= max(distance, 1e-12)
+    if distance > 0.0:  # on the axis no direction leads out
+        for a in range(3):
+            normal[a] /= distance
     return distance - radius
 
 
@@ -84,7 +85,8 @@ def add_touch_slope(
                 continue
             strong = obstacles.stiffness * obstacles.share[border, j]
             size, growth = size * strong, growth * strong
-            bent = size / max(g + obstacles.radius[o], 1e-12) if obstacles.kind[o] == 1 else 0.0
+            distance = g + obstacles.radius[o]
+            bent = size / distance if obstacles.kind[o] == 1 and distance > 0.0 else 0.0
             # the point moves with place and turn: dx - arm x dtheta
             to[:, :] = 0.0
             for a in range(3):
