@@ -1,6 +1,7 @@
 """How well the ladder predicts seconds: jobs on random designs of all families, in random scenes.
 
-    python -m benchmarks.ladder_cost collect FILE --seed 5 --seconds 1800 [--most-cpu 20]
+    python -m benchmarks.ladder_cost collect FILE --stream unrelated --seed 5 --seconds 240
+    python -m benchmarks.ladder_cost collect FILE --stream sessions --seed 5 --seconds 240
     python -m benchmarks.ladder_cost record FILE...            # writes the package's record
     python -m benchmarks.ladder_cost judge FILE... --unseen FILE...
 
@@ -117,7 +118,7 @@ def judge(files: Sequence[Path], unseen: Sequence[Path]) -> None:
         rows: list[tuple[int, float, str, str]] = []
         for count, index in enumerate(order.tolist()):
             model = CostModel(record, Timings.of(seen), spread)
-            took = pace * table.seconds[index]
+            took = pace * float(table.seconds[index])
             ratio = model.predict(table.features[index]).seconds / took
             job = asked[index]
             rows.append((count, ratio, job["design"]["family"], job["kind"]))
@@ -147,16 +148,18 @@ def _line(name: str, ratios: list[float]) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("what", choices=("collect", "record", "judge"))
     parser.add_argument("files", nargs="+", type=Path)
     parser.add_argument("--unseen", nargs="+", type=Path, default=[])
     parser.add_argument("--seed", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=1800.0)
-    parser.add_argument("--most-cpu", type=float, default=20.0)
+    parser.add_argument("--most-cpu", type=float, default=15.0)
+    parser.add_argument("--stream", choices=("unrelated", "sessions"), default="unrelated")
+    parser.add_argument("--most", type=int, default=10**6)
     asked = parser.parse_args()
     if asked.what == "collect":
-        collect(asked.seed, asked.seconds, asked.most_cpu, asked.files[0])
+        collect(asked.files[0], asked.stream, asked.seed, asked.seconds, asked.most_cpu, asked.most)
     elif asked.what == "record":
         write_record(asked.files)
     else:

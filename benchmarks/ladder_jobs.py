@@ -1,85 +1,223 @@
-"""Timed finite-element jobs on random questions, one line of JSON each: what predictions of time
-are made from and judged by."""
+"""Timed finite-element jobs, one line of JSON each: what predictions of time are made from and
+judged by.
+
+Two streams of questions. *Unrelated*: random designs of all families in random scenes. *Sessions*:
+what a studio sees, one design and scene after another, each a small change of the one before.
+"""
 
 import json
 import time
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from actuators.design import parse_design
-from actuators.errors import QuestionError
+from actuators.design import FAMILIES, Design, parse_design
+from actuators.errors import InputError, QuestionError
 from actuators.mechanics.ladder.question import (
     FEATURES,
     LevelErrors,
     features,
     mesh_sizes,
 )
-from actuators.mechanics.scene import Scene
-from benchmarks.random_questions import random_questions
+from actuators.mechanics.obstacles import Plate
+from actuators.mechanics.scene import STRONGEST, Scene
+from actuators.meshing.levels import MeshChoice
+from benchmarks.random_questions import KINDS, random_design, random_questions, random_scene
 
 ACCURACIES = (0.3, 0.3, 0.2, 0.1, 0.1, 0.05, 0.02)
 SHARE_OF_MESHES = 0.2
 """Part of the jobs that name the coarsest mesh instead."""
+CHAMBERS = (1, 3)
+SESSION = 9
+"""Jobs of one session."""
+MOVES = ("pressure", "pressure", "pressure", "length", "length", "length", "length", "accuracy",
+         "accuracy", "chambers", "load")  # fmt: skip
+"""What a designer changes from one job to the next: sliders mostly."""
 JUDGED = ("tip", "angle", "force", "limit_pressure")
 
 
-def collect(seed: int, seconds: float, most_cpu_s: float, file: Path) -> None:
-    """Add jobs to ``file`` for so many seconds; each is stopped after ``most_cpu_s`` [s] of
-    processor time and then counts as unfinished. One thread; processor seconds, for the machine may
-    be busy."""
-    from actuators.mechanics import continuum
-    from actuators.mechanics.continuum import climb, linear, warm
+@dataclass(frozen=True)
+class Asked:
+    """One job: a question, and how well it is to be answered. ``move``: what was changed since the
+    job before, ``start`` for the first one of a session or an unrelated one."""
+
+    design: Design
+    scene: Scene
+    kind: str
+    accuracy: float
+    mesh: MeshChoice | None
+    move: str = "start"
+
+
+def unrelated(seed: int) -> Iterator[Asked]:
+    """Random designs in random scenes, without end."""
+    rng = np.random.default_rng(seed + 1000)
+    for question in random_questions(seed, CHAMBERS):
+        accuracy = float(rng.choice(ACCURACIES))
+        mesh: MeshChoice | None = "coarse" if rng.random() < SHARE_OF_MESHES else None
+        yield Asked(question.design, question.scene, question.kind, accuracy, mesh)
+
+
+def sessions(seed: int) -> Iterator[Asked]:
+    """Designers one after another, without end, families in turn; each asks SESSION times, mostly
+    changing what was asked last by one slider."""
+    number = 0
+    while True:
+        rng = np.random.default_rng([seed, number])
+        family = list(FAMILIES)[number % len(FAMILIES)]
+        design = random_design(rng, family, CHAMBERS)
+        kind = str(rng.choice(KINDS))
+        accuracy = float(rng.choice(ACCURACIES))
+        mesh: MeshChoice | None = "coarse" if rng.random() < SHARE_OF_MESHES else None
+        asked = Asked(design, random_scene(rng, design, kind), kind, accuracy, mesh)
+        yield asked
+        for _ in range(SESSION - 1):
+            asked = _moved(rng, asked)
+            yield asked
+        number += 1
+
+
+def _moved(rng: np.random.Generator, last: Asked) -> Asked:
+    """The same question after one change."""
+    while True:
+        move = str(rng.choice(MOVES))
+        try:
+            changed = _change(rng, last, move)
+        except InputError:
+            continue
+        if changed != last:
+            return replace(changed, move=move)
+
+
+def _change(rng: np.random.Generator, last: Asked, move: str) -> Asked:
+    scene, design = last.scene, last.design
+    if move == "accuracy":
+        mesh: MeshChoice | None = "coarse" if rng.random() < SHARE_OF_MESHES else None
+        return replace(last, accuracy=float(rng.choice(ACCURACIES)), mesh=mesh)
+    if move == "pressure":
+        factor = float(np.exp(rng.uniform(-0.35, 0.35)))
+        if scene.pressure_to is not None:
+            to = min(scene.pressure_to * factor, STRONGEST)
+            return replace(last, scene=replace(scene, pressure_to=to))
+        return replace(last, scene=replace(scene, volume_to=(scene.volume_to or 0.0) * factor**0.3))
+    if move == "load":
+        return replace(last, scene=_other_load(rng, scene))
+    if move == "chambers":
+        before = int(getattr(design, "chamber_count"))  # noqa: B009 (every family has one)
+        count = int(np.clip(before + rng.choice([-1, 1]), *CHAMBERS))
+        length = round(1e3 * design.length * count / before, 2)
+        return replace(last, design=design.changed(chamber_count=count, length=length))
+    names = [p for p in design.parameters() if p.kind == "length"]
+    parameter = names[int(rng.integers(len(names)))]
+    value = getattr(design, parameter.name) / parameter.si_per_unit
+    value = round(float(value * np.exp(rng.uniform(-0.15, 0.15))), 2)
+    return replace(last, design=design.changed(**{parameter.name: value}))
+
+
+def _other_load(rng: np.random.Generator, scene: Scene) -> Scene:
+    if scene.plate is not None:
+        gap = scene.plate.gap * float(np.exp(rng.uniform(-0.3, 0.3)))
+        return replace(scene, plate=Plate(gap, scene.plate.normal))
+    if scene.tip_force is not None:
+        x, y, z = (f * float(np.exp(rng.uniform(-0.5, 0.5))) for f in scene.tip_force)
+        return replace(scene, tip_force=(x, y, z))
+    return replace(scene, gravity=None if scene.gravity is not None else (0.0, 0.0, -9.81))
+
+
+def collect(
+    file: Path, stream: str, seed: int, seconds: float, most_cpu_s: float, most: int
+) -> None:
+    """Add jobs of a stream to ``file`` for so many seconds or up to ``most`` of them; those that
+    stand there already are passed over. Each is stopped after ``most_cpu_s`` [s] of processor time
+    and then counts as unfinished. One thread; processor seconds, for the machine may be busy."""
+    from actuators.mechanics.continuum import warm
 
     warm.exercise()
-    levels: list[dict[str, float]] = []
-    own_estimates = climb.estimates
-
-    def noting(last: dict[str, float], layers: tuple[int, int, int]) -> dict[str, float]:
-        levels.append(own_estimates(last, layers))
-        return levels[-1]
-
-    climb.estimates = linear.estimates = noting
-    rng = np.random.default_rng(seed + 1000)
+    there = {(e["stream"], e["seed"], e["number"]) for e in _lines([file])}
+    questions = unrelated(seed) if stream == "unrelated" else sessions(seed)
+    noted = Noted()
     end = time.monotonic() + seconds
-    with file.open("a") as out:
-        for question in random_questions(seed, (1, 3)):
-            if time.monotonic() > end:
-                return
-            accuracy = float(rng.choice(ACCURACIES))
-            mesh = "coarse" if rng.random() < SHARE_OF_MESHES else None
-            levels.clear()
-            begun = time.process_time()
-
-            def late(begun: float = begun) -> bool:
-                return time.process_time() - begun > most_cpu_s
-
-            try:
-                response = continuum.solve(
-                    question.design, question.scene, accuracy=accuracy, mesh=mesh, cancelled=late
-                )
-            except QuestionError as refusal:
-                print(refusal)
-                continue
-            entry = {
-                "design": question.design.to_document(), "scene": question.scene.to_document(),
-                "kind": question.kind, "accuracy": accuracy, "mesh": mesh,
-                "cpu": time.process_time() - begun, "outcome": response.outcome.value,
-                "effects": {e.name: e.on for e in response.effects},
-                "unknowns": response.unknowns, "iterations": response.newton_iterations,
-                "levels": levels,
-            }  # fmt: skip
+    for number, asked in enumerate(questions):
+        if number >= most or time.monotonic() > end:
+            return
+        if (stream, seed, number) in there:
+            continue
+        entry = {
+            "stream": stream, "seed": seed, "number": number, "move": asked.move,
+            "design": asked.design.to_document(), "scene": asked.scene.to_document(),
+            "kind": asked.kind, "accuracy": asked.accuracy, "mesh": asked.mesh,
+            **_answered(asked, most_cpu_s, noted),
+        }  # fmt: skip
+        with file.open("a") as out:
             out.write(json.dumps(entry) + "\n")
-            out.flush()
-            print(question.design.family, question.kind, f"{entry['cpu']:.1f} s", flush=True)
+        told = f"{entry['cpu']:.1f} s, {entry['tangents']}" if "cpu" in entry else entry["refused"]
+        print(number, asked.design.family, asked.kind, asked.move, told, flush=True)
+
+
+class Noted:
+    """What a solve tells on its way: estimates of every mesh, tangents factorised by size."""
+
+    def __init__(self) -> None:
+        from actuators.mechanics.continuum import climb, linear
+        from actuators.mechanics.direct_solver import PardisoSolver
+
+        self.levels: list[dict[str, float]] = []
+        self.tangents: Counter[int] = Counter()
+        estimates, factorize = climb.estimates, PardisoSolver.factorize
+
+        def noting(*given: Any, **named: Any) -> dict[str, float]:
+            self.levels.append(estimates(*given, **named))
+            return self.levels[-1]
+
+        def counting(solver: PardisoSolver, values: np.ndarray) -> None:
+            self.tangents[solver._size] += 1  # pyright: ignore[reportPrivateUsage]
+            factorize(solver, values)
+
+        climb.estimates = linear.estimates = noting
+        setattr(PardisoSolver, "factorize", counting)  # noqa: B010 (names of arguments differ)
+
+    def clear(self) -> None:
+        """Forget the job before."""
+        self.levels, self.tangents = [], Counter()
+
+
+def _answered(asked: Asked, most_cpu_s: float, noted: Noted) -> dict[str, Any]:
+    from actuators.mechanics import continuum
+
+    noted.clear()
+    begun = time.process_time()
+
+    def late() -> bool:
+        return time.process_time() - begun > most_cpu_s
+
+    try:
+        response = continuum.solve(
+            asked.design, asked.scene, accuracy=asked.accuracy, mesh=asked.mesh, cancelled=late
+        )
+    except QuestionError as refusal:
+        return {"refused": str(refusal)}
+    return {
+        "cpu": time.process_time() - begun, "outcome": response.outcome.value,
+        "effects": {e.name: e.on for e in response.effects},
+        "unknowns": response.unknowns, "iterations": response.newton_iterations,
+        "tangents": sorted(noted.tangents.items()), "levels": noted.levels,
+        "timings": {name: round(value, 3) for name, value in response.timings.items()},
+        "ends_at": response.path[-1].pressure if response.path else None,
+    }  # fmt: skip
+
+
+def _lines(paths: Iterable[Path]) -> list[dict[str, Any]]:
+    there = [path for path in paths if path.exists()]
+    return [json.loads(line) for path in there for line in path.read_text().splitlines()]
 
 
 def read_jobs(paths: Iterable[Path]) -> list[dict[str, Any]]:
-    """Jobs of files that :func:`collect` wrote."""
-    lines = [line for path in paths for line in path.read_text().splitlines()]
-    return [entry for line in lines if "cpu" in (entry := json.loads(line))]
+    """Jobs of files that :func:`collect` wrote, refused ones left out."""
+    return [entry for entry in _lines(paths) if "cpu" in entry]
 
 
 def finished(job: dict[str, Any]) -> bool:
