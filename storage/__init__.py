@@ -1,5 +1,6 @@
 """The database behind the studio: the only room that knows SQLAlchemy."""
 
+from storage.body_files import BodyFiles
 from storage.errors import HistoryError, NewerDatabaseError, NotFoundError, StoreAway
 from storage.rows import (
     ClaimedJob,
@@ -16,7 +17,7 @@ from storage.rows import (
 from storage.store import Store, open_store
 
 __all__ = [
-    "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow", "JobState",
-    "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway", "TimingRow",
-    "VersionRow", "WorkerRow", "open_store",
+    "BodyFiles", "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow",
+    "JobState", "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway",
+    "TimingRow", "VersionRow", "WorkerRow", "open_store",
 ]  # fmt: skip

@@ -13,6 +13,7 @@ from typing import Any
 from sqlalchemy import Connection, and_, func, or_, select, update
 
 from storage import tables
+from storage.body_files import BodyFiles
 from storage.jobs import jobs_where
 from storage.question import question_digest
 from storage.results import closed_result
@@ -124,13 +125,16 @@ class Claims(Submission):
                 )  # fmt: skip
             return hold
 
-    def finish(self, job_id: str, attempt: int, document: Mapping[str, Any], arrays: bytes) -> bool:
+    def finish(
+        self, job_id: str, attempt: int, document: Mapping[str, Any], arrays: bytes,
+        body_files: BodyFiles | None = None,
+    ) -> bool:  # fmt: skip
         """Store the answer and close the job, in one transaction. False if the claim is gone."""
         with self._write() as connection:
             found = jobs_where(connection, _held(job_id, attempt))
             if not found:
                 return False
-            answer = self._store_answer(connection, found[0], document, arrays)
+            answer = self._store_answer(connection, found[0], document, arrays, body_files)
             self._close_done(connection, found[0], answer.document)
             return True
 
@@ -144,16 +148,16 @@ class Claims(Submission):
 
     def confirm_cancel(
         self, job_id: str, attempt: int, document: Mapping[str, Any] | None = None,
-        arrays: bytes = b"",
+        arrays: bytes = b"", body_files: BodyFiles | None = None,
     ) -> bool:  # fmt: skip
-        """The worker has stopped for a cancel; ``document`` and ``arrays``: what it found by
-        then."""
+        """The worker has stopped for a cancel; ``document``, ``arrays`` and ``body_files``: what it
+        found by then."""
         with self._write() as connection:
             found = jobs_where(connection, _held(job_id, attempt))
             if not found:
                 return False
             if document is not None:
-                self._store_answer(connection, found[0], document, arrays)
+                self._store_answer(connection, found[0], document, arrays, body_files)
                 values = {"outcome": document["outcome"], "advice": document.get("advice")}
                 connection.execute(update(tables.job).where(_held(job_id, attempt)).values(values))
             self._end_cancelled(connection, job_id)
@@ -194,11 +198,12 @@ class Claims(Submission):
             return self._publish(connection)
 
     def _store_answer(
-        self, connection: Connection, job: JobRow, document: Mapping[str, Any], arrays: bytes
-    ) -> ResultRow:
+        self, connection: Connection, job: JobRow, document: Mapping[str, Any], arrays: bytes,
+        body_files: BodyFiles | None,
+    ) -> ResultRow:  # fmt: skip
         names = ("digest", "design_digest", "scene_digest", "rung", "accuracy", "mesh")
         question = {name: getattr(job, name) for name in (*names, "science_version")}
-        return self._store_result(connection, question, document, arrays)
+        return self._store_result(connection, question, document, arrays, body_files)
 
     def _publish(self, connection: Connection) -> list[str]:
         """Ids to send a message for: new ones, and those whose message seems to be lost."""

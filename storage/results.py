@@ -1,6 +1,5 @@
-"""Answers under their question's digest, each stored once; arrays beside them under their hash."""
+"""Answers under their question's digest, each stored once; their arrays are artifacts."""
 
-import hashlib
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,7 +8,7 @@ from sqlalchemy import Connection, insert, select, update
 from actuators.design import parse_design
 from actuators.mechanics.scene import Scene
 from storage import tables
-from storage.database import Database
+from storage.body_files import BodyFiles, BodyFilesKept
 from storage.errors import NotFoundError
 from storage.question import OPEN_OUTCOMES
 from storage.rows import ResultRow
@@ -17,8 +16,8 @@ from storage.rows import ResultRow
 ARRAYS = "application/x-npz"
 
 
-class Results(Database):
-    """Looking up answers and artifacts; storing them belongs to finishing a job."""
+class Results(BodyFilesKept):
+    """Looking up answers; storing them belongs to finishing a job."""
 
     def get_result(self, digest: str) -> ResultRow:
         """Answer to the question ``digest`` (``JobRow.digest`` of a job that is done)."""
@@ -50,33 +49,9 @@ class Results(Database):
             row = connection.execute(query).mappings().one_or_none()
         return None if row is None else ResultRow(**row)
 
-    def get_artifact(self, sha256: str) -> bytes:
-        """Stored bytes, for instance ``ResultRow.artifact_sha256``; read them with
-        :func:`storage.response_arrays.unpack`."""
-        a = tables.artifact
-        with self._read() as connection:
-            data = connection.execute(
-                select(a.c.data).where(a.c.sha256 == sha256)
-            ).scalar_one_or_none()
-        if data is None:
-            raise NotFoundError("artifact", sha256)
-        return data
-
-    def _store_artifact(self, connection: Connection, data: bytes, media_type: str) -> str:
-        sha256 = hashlib.sha256(data).hexdigest()
-        a = tables.artifact
-        if connection.execute(select(a.c.sha256).where(a.c.sha256 == sha256)).first() is None:
-            connection.execute(
-                insert(a).values(
-                    sha256=sha256, media_type=media_type, size=len(data), data=data,
-                    created_at=self._now(connection),
-                )
-            )  # fmt: skip
-        return sha256
-
     def _store_result(
         self, connection: Connection, question: Mapping[str, Any], document: Mapping[str, Any],
-        arrays: bytes,
+        arrays: bytes, body_files: BodyFiles | None = None,
     ) -> ResultRow:  # fmt: skip
         """Keep an answer, unless a closed one is there already: the first one stands."""
         r = tables.result
@@ -90,6 +65,7 @@ class Results(Database):
             "document": dict(document),
             "artifact_sha256": self._store_artifact(connection, arrays, ARRAYS),
             "created_at": self._now(connection),
+            **self._keep_body_files(connection, digest, body_files),
         }
         if there is None:
             connection.execute(insert(r).values(**values))

@@ -132,7 +132,9 @@ class Hold(StrEnum):
 
 @dataclass(frozen=True)
 class ResultRow:
-    """A stored answer; ``document`` as ``predict --json``, ``artifact_sha256`` its arrays."""
+    """A stored answer; ``document`` as ``predict --json``, ``artifact_sha256`` its arrays,
+    ``body_files_sha256`` fields in the whole body of ``body_files_points`` of its points, as long
+    as they are kept."""
 
     digest: str
     design_digest: str
@@ -145,6 +147,8 @@ class ResultRow:
     artifact_sha256: str | None
     created_at: datetime
     mesh: str | None
+    body_files_sha256: str | None
+    body_files_points: int | None
 
 
 @dataclass(frozen=True)

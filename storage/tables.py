@@ -140,6 +140,8 @@ result = Table(
     Column("artifact_sha256", DIGEST, ForeignKey("artifact.sha256")),
     Column("created_at", Instant, nullable=False),
     Column("mesh", String(20)),
+    Column("body_files_sha256", DIGEST, ForeignKey("artifact.sha256")),
+    Column("body_files_points", Integer),
     Index("ix_result_design_digest", "design_digest", "scene_digest", "rung"),
 )  # fmt: skip
 

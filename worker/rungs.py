@@ -5,11 +5,13 @@ it computes. Tests replace entries of ``RUNGS``.
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Protocol
 
 from actuators.design import Design
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
+from storage import BodyFiles
 
 
 class Report(Protocol):
@@ -21,6 +23,15 @@ class Report(Protocol):
     def message(self) -> str: ...
     @property
     def pressure(self) -> float | None: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A response; ``body_files`` makes the fields in the whole body, in at most so many bytes, or
+    None where they take more. Left out where the rung has no such fields."""
+
+    response: Response
+    body_files: Callable[[int], BodyFiles | None] | None = None
 
 
 class Solver(Protocol):
@@ -38,7 +49,7 @@ class Solver(Protocol):
         mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
-    ) -> Response: ...
+    ) -> Solved: ...
 
 
 def _fe(
@@ -49,12 +60,19 @@ def _fe(
     mesh: str | None,
     progress: Callable[[Report], None],
     cancelled: Callable[[], bool],
-) -> Response:
-    from actuators.mechanics import continuum
+) -> Solved:
+    from actuators.export.whole_body import WholeBody
+    from actuators.mechanics.continuum.progress import Monitor
+    from actuators.mechanics.continuum.solve import solve_with_states
 
-    return continuum.solve(
-        design, scene, accuracy=accuracy, mesh=mesh, progress=progress, cancelled=cancelled
-    )
+    monitor = Monitor(progress, cancelled, None)
+    solution = solve_with_states(design, scene, monitor, accuracy=accuracy, mesh=mesh)
+
+    def body_files(at_most: int) -> BodyFiles | None:
+        made = WholeBody(solution).archive(at_most=at_most)
+        return None if made is None else BodyFiles(made.zipped, len(made.points))
+
+    return Solved(solution.response, body_files)
 
 
 def _instant(rung: str) -> Solver:
@@ -66,10 +84,10 @@ def _instant(rung: str) -> Solver:
         mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
-    ) -> Response:
+    ) -> Solved:
         from actuators.mechanics.predict import predict
 
-        return predict(design, scene, rung=rung)
+        return Solved(predict(design, scene, rung=rung))
 
     return solve
 

@@ -10,11 +10,12 @@ from actuators.design import parse_design
 from actuators.errors import InputError
 from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
-from storage import ClaimedJob, Store, StoreAway
+from storage import BodyFiles, ClaimedJob, Store, StoreAway
+from storage.body_files import BODY_FILES_AT_MOST
 from storage.question import science_version
 from storage.response_arrays import pack
 from worker.keeper import Keeper, Stop
-from worker.rungs import RUNGS
+from worker.rungs import RUNGS, Solved
 
 _logger = logging.getLogger(__name__)
 _INSIST_S = (1.0, 2.0, 4.0, 8.0, 15.0, 30.0)
@@ -38,7 +39,8 @@ def solve_job(store: Store, job_id: str, *, worker: str) -> None:
 def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool]:
     """Solve, and return the write that closes the job."""
     try:
-        response = _solve(job, keeper)
+        solved = _solve(job, keeper)
+        response = solved.response
         if response.outcome is Outcome.CANCELLED:
             if keeper.stop != "budget" and len(response.path) < 2:
                 return lambda: _insist(lambda: store.confirm_cancel(job.id, job.attempt))
@@ -51,15 +53,32 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
         message = f"The solver failed ({type(error).__name__}: {str(error)[:200]}). "
         message += f"The worker's log has the details of job {job.id}."
     else:
-        if response.outcome is Outcome.CANCELLED:
-            return lambda: _insist(
-                lambda: store.confirm_cancel(job.id, job.attempt, document, arrays)
-            )
-        return lambda: _insist(lambda: store.finish(job.id, job.attempt, document, arrays))
+        keeper.solved()
+        close = store.confirm_cancel if response.outcome is Outcome.CANCELLED else store.finish
+        files = _body_files(job, solved)
+        return lambda: _insist(lambda: close(job.id, job.attempt, document, arrays, files))
     return lambda: _insist(lambda: store.fail(job.id, job.attempt, message))
 
 
-def _solve(job: ClaimedJob, keeper: Keeper) -> Response:
+def _body_files(job: ClaimedJob, solved: Solved) -> BodyFiles | None:
+    """Fields in the whole body; an answer without them is an answer still."""
+    if solved.body_files is None:
+        return None
+    started = time.perf_counter()
+    try:
+        found = solved.body_files(BODY_FILES_AT_MOST)
+    except Exception:
+        _logger.exception("job %s: no fields of the whole body", job.id)
+        return None
+    size = "none" if found is None else f"{len(found.zipped) / 1e6:.1f} MB, {found.points} points"
+    _logger.info(
+        "job %s: fields of the whole body: %s, %.1f s",
+        job.id, size, time.perf_counter() - started,
+    )  # fmt: skip
+    return found
+
+
+def _solve(job: ClaimedJob, keeper: Keeper) -> Solved:
     return RUNGS[job.rung](
         parse_design(job.design),
         Scene.from_document(job.scene),

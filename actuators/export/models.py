@@ -1,6 +1,5 @@
 """Files that need a scene: the finite-element model as a deck, and its answer as fields."""
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -9,6 +8,7 @@ from actuators.design.base import Design
 from actuators.mechanics.scene import Scene
 
 if TYPE_CHECKING:
+    from actuators.export.inp_inflation import Inflation
     from actuators.mechanics.continuum import Progress
 
 
@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 class ModelQuestion:
     """What a model file is made for. ``mesh``: a name or layers, see
     :mod:`actuators.mechanics.continuum.levels`; None takes "medium" for a deck and refines to
-    ``accuracy`` for an answer. ``element``: type in an ``inp`` deck."""
+    ``accuracy`` for an answer. ``element``: type in an ``inp`` deck. ``solving``: whether a deck
+    may take a solve, which it needs where a scene prescribes a volume."""
 
     scene: Scene
     mesh: str | tuple[int, int, int] | None = None
@@ -24,6 +25,7 @@ class ModelQuestion:
     accuracy: float = 0.05
     progress: "Callable[[Progress], None] | None" = None
     cancelled: Callable[[], bool] | None = None
+    solving: bool = False
 
 
 def write_model(design: Design, what: str, question: ModelQuestion) -> dict[str, bytes]:
@@ -37,34 +39,51 @@ def _deck(design: Design, question: ModelQuestion) -> dict[str, bytes]:
     from actuators.geometry import build_body
     from actuators.materials import material
     from actuators.mechanics.continuum.levels import layers_of
+    from actuators.mechanics.effects import without_layer
+    from actuators.mechanics.effects.obeyed import without_loads_off
     from actuators.meshing import mesh_body
 
-    body = build_body(design)
-    if body.symmetric and question.scene.symmetric:
+    scene = without_loads_off(question.scene)
+    kept = None
+    if scene.choice("inextensible_layer") == "off":
+        kept = without_layer(design)
+    body = build_body(kept or design)
+    if body.symmetric and scene.symmetric and scene.choice("symmetry") != "off":
         body = body.half()
     mesh = mesh_body(body, layers=layers_of(body, question.mesh or "medium"))
     materials = [material(region.material) for region in mesh.regions]
-    return abaqus_deck(design, mesh, materials, question.scene, question.element)
+    inflation = None
+    if scene.volume_to is not None:
+        inflation = _inflation(design, question)
+    return abaqus_deck(design, mesh, materials, scene, question.element, inflation)
+
+
+def _inflation(design: Design, question: ModelQuestion) -> "Inflation":
+    """The pressures that lead to a prescribed volume, solved for on the deck's mesh."""
+    from actuators.export.inp_inflation import inflation_found, needs_a_solve
+
+    if not question.solving:
+        raise needs_a_solve()
+    from actuators.mechanics.continuum.solve import solve
+
+    return inflation_found(
+        solve(
+            design, question.scene, mesh=question.mesh or "medium",
+            progress=question.progress, cancelled=question.cancelled,
+        )
+    )  # fmt: skip
 
 
 def _fields(design: Design, question: ModelQuestion) -> dict[str, bytes]:
-    """``answer.pvd``, ``answer-000.vtu`` onwards, and ``answer.json``: how the path ended."""
-    from actuators.export.vtu import series
+    from actuators.export.whole_body import WholeBody
     from actuators.mechanics.continuum.progress import Monitor
     from actuators.mechanics.continuum.solve import solve_with_states
-    from actuators.mechanics.continuum.volume_fields import VolumeFields
 
     monitor = Monitor(question.progress, question.cancelled, None)
     solution = solve_with_states(
         design, question.scene, monitor, accuracy=question.accuracy, mesh=question.mesh
     )
-    system, path = solution.answer.system, solution.answer.path
-    fields = VolumeFields(system)
-    regions = [region.name for region in system.mesh.regions]
-    title = f"{design.title}, design {design.digest[:12]}, scene {question.scene.digest[:12]}"
-    document = json.dumps(solution.response.to_document(), indent=2).encode() + b"\n"
-    files = series(fields.mesh, regions, fields.states(path.points), title)
-    return {**files, "answer.json": document}
+    return WholeBody(solution).files()
 
 
 _WRITERS: Mapping[str, Callable[[Design, ModelQuestion], dict[str, bytes]]] = {

@@ -8,7 +8,7 @@ import base64
 import itertools
 import xml.etree.ElementTree as ET
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -32,20 +32,9 @@ _BLOCK = 1 << 20
 _NAMES = {"f8": "Float64", "f4": "Float32", "i8": "Int64", "i4": "Int32", "u1": "UInt8"}
 
 
-def series(
-    mesh: VolumeMesh, regions: Sequence[str], states: Iterable[VolumeState], title: str
-) -> dict[str, bytes]:
-    """``answer.pvd`` and ``answer-000.vtu`` onwards. The series runs over the pressure [kPa], or
-    over the points' numbers where the pressure does not rise throughout."""
-    files: dict[str, bytes] = {}
-    pressures: list[float] = []
-    for number, state in enumerate(states):
-        files[f"answer-{number:03d}.vtu"] = unstructured_grid(mesh, regions, state, title)
-        pressures.append(state.pressure)
-    return {"answer.pvd": _collection(list(files), pressures), **files}
-
-
-def _collection(names: Sequence[str], pressures: Sequence[float]) -> bytes:
+def collection(names: Sequence[str], pressures: Sequence[float]) -> bytes:
+    """A ``.pvd`` of files that stand beside it. The series runs over the ``pressures`` [Pa], told
+    in kPa, or over the files' numbers where the pressure does not rise throughout."""
     rising = all(later > earlier for earlier, later in itertools.pairwise(pressures))
     times = (
         [pressure * 1e-3 for pressure in pressures] if rising else [*map(float, range(len(names)))]
@@ -80,7 +69,7 @@ def surface_series(
         _array(cells, "offsets", 3 * np.arange(1, count + 1, dtype="<i8"))
         _array(cells, "types", np.full(count, TRIANGLE, dtype="u1"))
         files[f"answer-{number:03d}.vtu"] = _document(root)
-    return {"answer.pvd": _collection(list(files), pressures), **files}
+    return {"answer.pvd": collection(list(files), pressures), **files}
 
 
 def unstructured_grid(

@@ -13,7 +13,7 @@ from actuators.design import Design
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.scene import Scene
 from worker import presence
-from worker.rungs import RUNGS, Report
+from worker.rungs import RUNGS, Report, Solved
 from worker.start import main
 
 STEPS = 40
@@ -44,21 +44,21 @@ def slow(
     mesh: str | None,
     progress: Callable[[Report], None],
     cancelled: Callable[[], bool],
-) -> Response:
+) -> Solved:
     for step in range(STEPS):
         if cancelled():
-            return straight(design, scene, Outcome.CANCELLED, step)
+            return Solved(straight(design, scene, Outcome.CANCELLED, step))
         time.sleep(0.03)
         progress(Step((step + 1) / STEPS, f"step {step + 1}", scene.pressure_to * step / STEPS))
-    return straight(design, scene, Outcome.CONVERGED, STEPS)
+    return Solved(straight(design, scene, Outcome.CONVERGED, STEPS))
 
 
-def deaf(design: Design, scene: Scene, **_: Any) -> Response:
+def deaf(design: Design, scene: Scene, **_: Any) -> Solved:
     time.sleep(60)
-    return straight(design, scene, Outcome.CONVERGED, STEPS)
+    return Solved(straight(design, scene, Outcome.CONVERGED, STEPS))
 
 
-def broken(design: Design, scene: Scene, **_: Any) -> Response:
+def broken(design: Design, scene: Scene, **_: Any) -> Solved:
     raise ZeroDivisionError("an element has no volume")
 
 

@@ -9,12 +9,11 @@ import pytest
 
 from actuators.design import Design, preset
 from actuators.errors import DesignError
-from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
 from storage import Store, open_store
 from storage.claims import LEASE
 from storage.question import JOB_RUNGS
-from worker.rungs import RUNGS
+from worker.rungs import RUNGS, Solved
 from worker.solving import solve_job
 
 
@@ -56,7 +55,7 @@ def test_the_energy_model_answers_as_a_job(store: Store) -> None:
 def test_a_flood_of_progress_becomes_a_few_events(
     store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def chatty(design: Design, scene: Scene, **seam: object) -> Response:
+    def chatty(design: Design, scene: Scene, **seam: object) -> Solved:
         progress = seam["progress"]
         assert callable(progress)
         for i in range(1000):
@@ -82,7 +81,7 @@ def test_the_lease_of_a_silent_solver_is_renewed(
         beats.append(time.monotonic())
         return renew(job_id, attempt)
 
-    def silent(design: Design, scene: Scene, **_: object) -> Response:
+    def silent(design: Design, scene: Scene, **_: object) -> Solved:
         time.sleep(4)
         raise DesignError("Enough.", field="x")
 
@@ -97,7 +96,7 @@ def test_the_lease_of_a_silent_solver_is_renewed(
 def test_a_solver_whose_claim_is_gone_stores_nothing(
     store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def overtaken(design: Design, scene: Scene, **seam: object) -> Response:
+    def overtaken(design: Design, scene: Scene, **seam: object) -> Solved:
         cancelled = seam["cancelled"]
         assert callable(cancelled)
         store.release("w", lost=True)
