@@ -1,16 +1,19 @@
 """Chosen effects against all effects, on random designs in random scenes.
 
-``python -m benchmarks.effects --count 200`` solves every question twice on the coarsest mesh, once
-with the effects that the plan chooses and once with all of them forced on, and prints how far apart
-the tips end, and the ratio of processor times measured one after the other. ``--seconds`` ends it
-early; ``--write`` puts the table into docs/performance.md.
+``python -m benchmarks.effects --file cases.jsonl --count 200`` solves every question twice on the
+coarsest mesh, once with the effects that the plan chooses and once with all of them forced on, and
+prints how far apart the tips end, and the ratio of processor times measured one after the other.
+What the file holds is not solved again, so that it can be stopped (``--seconds``) and go on, or run
+in parts side by side (``--part 0/2``, a file each); ``--write FILE...`` puts the table of all that
+the files hold into docs/performance.md.
 """
 
 import argparse
+import json
 import time
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -178,37 +181,73 @@ def write(text: str) -> None:
     PERFORMANCE.write_text(f"{head}{BEGIN}\n{text}{END}{tail}")
 
 
-def main() -> None:
-    """Solve, print, and write if asked to."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=200)
-    parser.add_argument("--seconds", type=float, default=np.inf)
-    parser.add_argument("--accuracy", type=float, default=0.05)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true")
-    asked = parser.parse_args()
-    rng, begun = np.random.default_rng(asked.seed), time.perf_counter()
+def questions(seed: int) -> Iterator[tuple[Design, Scene]]:
+    """Without end, families in turn."""
+    rng = np.random.default_rng(seed)
+    while True:
+        for family in FAMILIES:
+            design = random_design(rng, family, CHAMBERS)
+            yield design, random_scene(rng, design)
+
+
+def read(files: Sequence[Path]) -> dict[int, Case]:
+    """Cases that the files hold, by their number."""
+    found: dict[int, Case] = {}
+    for line in (line for file in files if file.exists() for line in file.read_text().splitlines()):
+        entry = json.loads(line)
+        off, switched = tuple(entry.pop("off")), tuple(entry.pop("switched"))
+        found[entry.pop("number")] = Case(off=off, switched=switched, **entry)
+    return dict(sorted(found.items()))
+
+
+def measure(
+    file: Path, seed: int, accuracy: float, count: int, seconds: float, part: tuple[int, int]
+) -> None:
+    """Add to ``file`` the cases below ``count`` that it lacks, for so many seconds on the clock; of
+    their numbers those that leave ``part[0]`` divided by ``part[1]``."""
     start = preset("slab-rectangle-low")
     solve(start.design, everything(Scene(1e3, steps=1)), mesh="coarse")  # kernels into memory
-    cases: list[Case] = []
-    while len(cases) < asked.count and time.perf_counter() - begun < asked.seconds:
-        family = list(FAMILIES)[len(cases) % len(FAMILIES)]
-        design = random_design(rng, family, CHAMBERS)
-        scene = random_scene(rng, design)
-        case = compare(design, scene, asked.accuracy)
-        cases.append(case)
-        mark = "  " if case.difference <= asked.accuracy else "!!"
+    there, end = read([file]), time.monotonic() + seconds
+    for number, (design, scene) in zip(range(count), questions(seed), strict=False):
+        if number in there or number % part[1] != part[0]:
+            continue
+        if time.monotonic() > end:
+            return
+        case = compare(design, scene, accuracy)
+        with file.open("a") as out:
+            out.write(json.dumps({"number": number, **asdict(case)}) + "\n")
+        mark = "  " if case.difference <= accuracy else "!!"
         print(
-            f"{mark} {len(cases):3d} {case.family:8s} {case.difference:8.2%} "
+            f"{mark} {number:3d} {case.family:8s} {case.difference:8.2%} "
             f"{case.all_s / case.chosen_s:6.2f} x  {case.all_s:5.1f} s  off: {','.join(case.off)}"
             f"  on: {','.join(case.switched)}  {case.outcome}",
             flush=True,
         )
         if mark == "!!":
             print("     ", design.digest[:12], scene.to_document(), flush=True)
-    text = table(cases, asked.accuracy)
-    print(text)
+
+
+def _part(text: str) -> tuple[int, int]:
+    which, of = text.split("/")
+    return int(which), int(of)
+
+
+def main() -> None:
+    """Solve, or print and write what was solved."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--file", type=Path)
+    parser.add_argument("--write", nargs="+", type=Path)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--seconds", type=float, default=np.inf)
+    parser.add_argument("--accuracy", type=float, default=0.05)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--part", type=_part, default=(0, 1))
+    asked = parser.parse_args()
+    if asked.file is not None:
+        measure(asked.file, asked.seed, asked.accuracy, asked.count, asked.seconds, asked.part)
     if asked.write:
+        text = table(list(read(asked.write).values()), asked.accuracy)
+        print(text)
         write(text)
 
 
