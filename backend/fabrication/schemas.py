@@ -7,7 +7,8 @@ from pydantic import Field
 from backend.documents import Answer, Body, DesignDocument, Name, SceneDocument
 
 ExportKind = Literal["mould-svg", "actuator-stl", "inp"]
-FileKind = Literal["mould-svg", "actuator-stl", "inp", "result-vtu", "result-json", "result-csv"]
+ResultKind = Literal["result-body", "result-vtu", "result-json", "result-csv"]
+FileKind = Literal[ExportKind, ResultKind]
 
 
 class FileInfo(Answer):

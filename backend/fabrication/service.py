@@ -20,7 +20,13 @@ from actuators.export import ModelQuestion, write
 from actuators.export import available as family_files
 from actuators.mechanics.scene import Scene
 from backend.designs.question import read_design, read_scene
-from backend.fabrication.schemas import ExportKind, ExportRequest, FileInfo, FileKind
+from backend.fabrication.schemas import (
+    ExportKind,
+    ExportRequest,
+    FileInfo,
+    FileKind,
+    ResultKind,
+)
 from storage import NotFoundError, ResultRow, Store, VersionRow
 from storage.response_arrays import unpack
 
@@ -37,33 +43,39 @@ _KINDS: Mapping[FileKind, _Kind] = {
     "mould-svg": _Kind("Mould, laser-cut layers", "svg", "image/svg+xml"),
     "actuator-stl": _Kind("Actuator, surface in mm", "stl", "model/stl"),
     "inp": _Kind("Finite-element model, deck for CalculiX and Abaqus", "inp", "text/plain"),
+    "result-body": _Kind("Finite-element result, whole-body fields for ParaView", "zip", _ZIP),
     "result-vtu": _Kind("Finite-element result, surface fields for ParaView", "zip", _ZIP),
     "result-json": _Kind("Finite-element result, complete", "json", "application/json"),
     "result-csv": _Kind("Finite-element result, path", "csv", "text/csv; charset=utf-8"),
 }
-_RESULTS = ("result-vtu", "result-json", "result-csv")
+# two zips of one version must not have one name
+_PART: Mapping[FileKind, str] = {"result-body": "-whole-body", "result-vtu": "-surface"}
 
 
-def available(store: Store, version_id: str) -> list[FileInfo]:
-    """Every kind of file, and why one cannot be had."""
+def available(store: Store, version_id: str, job_id: str | None) -> list[FileInfo]:
+    """Every kind of file, and why one cannot be had. ``job_id``: whose result is meant."""
     version = store.get_version(version_id)
-    stem = _stem(store, version)
-    return [_info(store, version, stem, what) for what in _KINDS]
+    stem, result = _stem(store, version), _result(store, version, job_id)
+    return [_info(version, stem, what, result) for what in _KINDS]
 
 
-def of_version(store: Store, version_id: str, what: FileKind, known_tag: str | None) -> Response:
+def of_version(
+    store: Store, version_id: str, what: FileKind, job_id: str | None, known_tag: str | None
+) -> Response:
     """One file. A version never changes, so that a browser asks again only for its tag."""
     version = store.get_version(version_id)
-    reason = _reason(store, version, what)
+    result = _result(store, version, job_id)
+    reason = _reason(version, what, result)
     if reason:
         raise QuestionError(reason, field="what", value=what, mend="Choose another file.")
     stem = _stem(store, version)
-    if what == "result-vtu" or what == "result-json" or what == "result-csv":
-        name, media_type = f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type
-        body = _of_result(store, _result(store, version), what)
-    else:
+    if what == "mould-svg" or what == "actuator-stl" or what == "inp":
         design, scene = read_design(version.document), read_scene(version.scene)
         name, media_type, body = _exported(design, scene, what, stem)
+    else:
+        name = f"{stem}{_PART.get(what, '')}.{_KINDS[what].suffix}"
+        media_type = _KINDS[what].media_type
+        body = _of_result(store, result, what)
     return _download(name, media_type, body, known_tag)
 
 
@@ -75,19 +87,24 @@ def of_design(body: ExportRequest) -> Response:
     return _download(name, media_type, data, None)
 
 
-def _info(store: Store, version: VersionRow, stem: str, what: FileKind) -> FileInfo:
-    kind, reason = _KINDS[what], _reason(store, version, what)
+def _info(version: VersionRow, stem: str, what: FileKind, result: ResultRow | None) -> FileInfo:
+    kind, reason = _KINDS[what], _reason(version, what, result)
     return FileInfo(
-        what=what, title=kind.title, file_name=f"{stem}.{kind.suffix}",
+        what=what, title=kind.title, file_name=f"{stem}{_PART.get(what, '')}.{kind.suffix}",
         media_type=kind.media_type, url=f"/api/versions/{version.id}/files/{what}",
         available=not reason, reason=reason or None,
     )  # fmt: skip
 
 
-def _reason(store: Store, version: VersionRow, what: FileKind) -> str:
-    if what in _RESULTS:
-        if store.best_result(version.document, version.scene, "fe") is None:
+def _reason(version: VersionRow, what: FileKind, result: ResultRow | None) -> str:
+    if what.startswith("result-"):
+        if result is None:
             return "There is no finite-element result of this version yet."
+        if what == "result-body" and result.body_files_sha256 is None:
+            return (
+                "The fields in the whole body are not kept with this result: it is an old one, or "
+                "they are too large. `pneustudio export --what vtu` solves again and writes them."
+            )
         return ""
     try:
         design, scene = read_design(version.document), read_scene(version.scene)
@@ -109,18 +126,26 @@ def unavailable(design: Design) -> dict[str, str]:
     return reasons
 
 
-def _result(store: Store, version: VersionRow) -> ResultRow:
-    best = store.best_result(version.document, version.scene, "fe")
-    if best is None:
-        raise NotFoundError("result of version", version.id)
-    return best
+def _result(store: Store, version: VersionRow, job_id: str | None) -> ResultRow | None:
+    """Of one job, which must have answered this very question; else the most accurate."""
+    if job_id is None:
+        return store.best_result(version.document, version.scene, "fe")
+    job = store.get_job(job_id)
+    asked = (job.rung, job.design_digest, job.scene_digest)
+    if not job.has_answer or asked != ("fe", version.design_digest, version.scene_digest):
+        raise NotFoundError("result of job", job_id)
+    return store.get_result(job.digest)
 
 
-def _of_result(store: Store, result: ResultRow, what: FileKind) -> bytes:
+def _of_result(store: Store, result: ResultRow | None, what: ResultKind) -> bytes:
+    if result is None:
+        raise NotFoundError("result", what)
     if what == "result-json":
         return _json(result.document)
     if what == "result-csv":
         return _csv(result.document)
+    if what == "result-body":
+        return store.get_artifact(result.body_files_sha256 or "")
     if result.artifact_sha256 is None:
         raise NotFoundError("surface of result", result.digest)
     arrays = unpack(store.get_artifact(result.artifact_sha256))

@@ -1,10 +1,11 @@
 """Jobs: questions for the queue, as the page sees them."""
 
 import logging
+from contextlib import suppress
 
 from backend.simulations.queue import TaskQueue
-from backend.simulations.schemas import Job, JobState, NewJob, ResultDocument
-from storage import JobRow, NotFoundError, Store
+from backend.simulations.schemas import BodyFiles, Job, JobState, NewJob, ResultDocument
+from storage import JobRow, NotFoundError, ResultRow, Store
 
 log = logging.getLogger(__name__)
 
@@ -43,7 +44,17 @@ def result(store: Store, job_id: str) -> ResultDocument:
     job = store.get_job(job_id)
     if not job.has_answer:
         raise NotFoundError("result of job", job_id)
-    return ResultDocument.model_validate(store.get_result(job.digest).document)
+    row = store.get_result(job.digest)
+    return ResultDocument.model_validate({**row.document, "body_files": _body_files(store, row)})
+
+
+def _body_files(store: Store, row: ResultRow) -> BodyFiles | None:
+    if row.body_files_sha256 is None or row.body_files_points is None:
+        return None
+    with suppress(NotFoundError):  # they may leave meanwhile, for those of a newer answer
+        size = store.artifact_size(row.body_files_sha256)
+        return BodyFiles(points=row.body_files_points, bytes=size)
+    return None
 
 
 def as_job(row: JobRow) -> Job:

@@ -56,6 +56,13 @@ class EffectNote(Answer):
     )
 
 
+class BodyFiles(Answer):
+    """Fields in the whole body, kept beside a result as the file `result-body`."""
+
+    points: int = Field(description="How many of the path's points they show, the last among them")
+    bytes: int
+
+
 class ResultDocument(Answer):
     """Answer of one rung, as `pneustudio predict --json` prints it."""
 
@@ -85,6 +92,9 @@ class ResultDocument(Answer):
     effects: list[EffectNote]
     assumptions: list[str]
     notes: list[str] = Field(default=[], description="Findings a designer must read")
+    body_files: BodyFiles | None = Field(
+        default=None, description="Of a job's result: fields in the whole body, where kept"
+    )
 
 
 class PredictRequest(Body):

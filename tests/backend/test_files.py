@@ -6,7 +6,7 @@ import zipfile
 import trimesh
 from fastapi.testclient import TestClient
 
-from storage import Store
+from storage import BodyFiles, Store
 from tests.backend.conftest import OBLIQUE, SLAB, saved
 from tests.backend.test_jobs import solve
 
@@ -48,6 +48,42 @@ def test_a_result_comes_as_json_and_as_one_line_per_pressure(
     assert {"pressure_kPa", "tip_x1_mm", "bending_angle_deg"} <= set(lines[0].split(","))
 
 
+def test_fields_in_the_whole_body_come_with_the_result_they_belong_to(
+    client: TestClient, store: Store
+) -> None:
+    version = saved(client, "Body", {**SLAB, "length_mm": 95})
+    base = f"/api/versions/{version['id']}/files"
+    jobs: dict[float, str] = {}
+    for accuracy, files in (
+        (0.1, BodyFiles(b"ten", 7)),
+        (0.05, None),
+        (0.02, BodyFiles(b"2", 3)),
+    ):
+        body = {"version_id": version["id"], "accuracy": accuracy}
+        jobs[accuracy] = client.post("/api/jobs", json=body).json()["id"]
+        solve(store, jobs[accuracy], files)
+    one = client.get(f"/api/jobs/{jobs[0.1]}/result").json()
+    assert one["body_files"] == {"points": 7, "bytes": 3}
+    best = client.get(f"{base}/result-body")
+    assert best.content == b"2"
+    assert 'filename="body-v1-whole-body.zip"' in best.headers["content-disposition"]
+    assert client.get(f"{base}/result-body", params={"job_id": jobs[0.1]}).content == b"ten"
+
+    # a result without them says so, and how to have them
+    of_second = {"job_id": jobs[0.05]}
+    assert client.get(f"/api/jobs/{jobs[0.05]}/result").json()["body_files"] is None
+    offered = {f["what"]: f for f in client.get(base, params=of_second).json()}
+    assert offered["result-csv"]["available"]
+    assert not offered["result-body"]["available"]
+    assert "export --what vtu" in offered["result-body"]["reason"]
+    assert client.get(f"{base}/result-body", params=of_second).status_code == 422
+
+    # a job of another question has no file here
+    other = saved(client, "Other", {**SLAB, "length_mm": 96})
+    elsewhere = f"/api/versions/{other['id']}/files/result-csv"
+    assert client.get(elsewhere, params=of_second).status_code == 404
+
+
 def test_an_oblique_design_says_why_it_has_no_laser_cut_mould(client: TestClient) -> None:
     version = saved(client, "Oblique", OBLIQUE)
     offered = {f["what"]: f for f in client.get(f"/api/versions/{version['id']}/files").json()}
@@ -70,9 +106,9 @@ def test_a_model_comes_as_a_deck_of_its_scene(client: TestClient) -> None:
     deck = client.get(f"/api/versions/{version['id']}/files/inp")
     assert deck.headers["content-disposition"].startswith('attachment; filename="deck-v1.inp"')
     assert b"*DLOAD" in deck.content or b"*DSLOAD" in deck.content
-    plate = {"pressure_kPa": {"to": 5}, "plate": {"gap_mm": 5}}
-    body = {"design": SLAB, "scene": plate, "what": "inp"}
-    assert client.post("/api/export", json=body).json()["detail"]["field"] == "plate"
+    filled = {"volume_ml": {"to": 40}}
+    body = {"design": SLAB, "scene": filled, "what": "inp"}
+    assert client.post("/api/export", json=body).json()["detail"]["field"] == "volume_ml"
     assert client.post("/api/export", json={**body, "scene": None}).status_code == 422
 
 

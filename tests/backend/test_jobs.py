@@ -6,19 +6,20 @@ from actuators.design import parse_design
 from actuators.mechanics.predict import predict
 from actuators.mechanics.scene import Scene
 from backend.system.schemas import Health
-from storage import Store
+from storage import BodyFiles, Store
 from storage.question import science_version
 from storage.response_arrays import pack
 from tests.backend.conftest import SLAB, saved
 
 
-def solve(store: Store, job_id: str) -> None:
+def solve(store: Store, job_id: str, files: BodyFiles | None = None) -> None:
     """What a worker does, with the instant model in the place of the solver."""
     claimed = store.claim(job_id, worker="w", science_version=science_version())
     assert claimed is not None
     store.progress(job_id, claimed.attempt, fraction=0.5, message="half", pressure=20e3)
     response = predict(parse_design(claimed.design), Scene.from_document(claimed.scene))
-    assert store.finish(job_id, claimed.attempt, response.to_document(), pack(response))
+    document = response.to_document()
+    assert store.finish(job_id, claimed.attempt, document, pack(response), files)
 
 
 def test_a_job_is_queued_solved_and_answered_from_the_store(

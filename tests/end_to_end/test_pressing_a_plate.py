@@ -2,7 +2,9 @@
 
 import io
 import re
+import sqlite3
 import zipfile
+from contextlib import closing
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -68,6 +70,20 @@ def test_add_a_plate_solve_and_see_its_force(studio: Run, page: Page) -> None:
     expect(page.get_by_test_id("number-fe-plate_force")).to_contain_text(re.compile(r"\d"))
     assert jobs(page) == solved
 
-    fields = zipfile.ZipFile(io.BytesIO(downloaded(page, "result-vtu")))
-    assert "answer.pvd" in fields.namelist()
-    assert b"contact_pressure_kPa" in fields.read("answer-001.vtu")
+    for what, cells in (("result-vtu", b"largest_principal_stress"), ("result-body", b"region")):
+        fields = zipfile.ZipFile(io.BytesIO(downloaded(page, what)))
+        assert "answer.pvd" in fields.namelist()
+        assert b"contact_pressure_kPa" in fields.read("answer-001.vtu")
+        assert cells in fields.read("answer-001.vtu")
+
+    # Where the fields in the whole body are not kept, the page has the command that solves again.
+    with closing(sqlite3.connect(studio.data / "pneustudio.sqlite")) as database:
+        database.execute("UPDATE result SET body_files_sha256 = NULL, body_files_points = NULL")
+        database.commit()
+    page.reload()
+    expect(page.get_by_test_id("number-fe-plate_force")).to_contain_text(re.compile(r"\d"))
+    page.get_by_test_id("open-downloads").click()
+    command = page.get_by_test_id("copy-whole-body")
+    expect(command).to_be_enabled()
+    expect(command).to_have_attribute("title", re.compile("--mesh coarse --what vtu"))
+    expect(page.get_by_test_id("download-result-body")).to_have_count(0)

@@ -17,7 +17,7 @@ function result(path: PathPoint[]): Result {
   return {
     design: {}, scene: {}, rung: "energy", outcome: "converged", advice: null, path, error_estimate_percent: null,
     trusted_to_kPa: null, error_estimates_percent: {}, limit_pressure_kPa: null,
-    wall_s: null, unknowns: 0, newton_iterations: 0, effects: [], assumptions: [], notes: [],
+    wall_s: null, unknowns: 0, newton_iterations: 0, effects: [], assumptions: [], notes: [], body_files: null,
   };
 }
 

@@ -16,7 +16,7 @@ function result(path: [pressure: number, volume: number][], trusted: number | nu
   return {
     design: {}, scene: {}, rung: "fe", outcome: "converged", advice: null, path: points, error_estimate_percent: null,
     error_estimates_percent: {}, limit_pressure_kPa: null, trusted_to_kPa: trusted, wall_s: null, unknowns: 0,
-    newton_iterations: 0, effects: [], assumptions: [], notes: [],
+    newton_iterations: 0, effects: [], assumptions: [], notes: [], body_files: null,
   };
 }
 

@@ -1,10 +1,11 @@
 import { useState, type ReactNode } from "react";
 
 import { usePick } from "../api/store";
-import type { FileKind } from "../api/types";
-import { useShownFe } from "../results/shown";
+import type { FileKind, Result } from "../api/types";
+import { useShownFe, type ShownFe } from "../results/shown";
+import { feLabel } from "../results/words";
 import { Icon } from "../ui/Icon";
-import { sentence } from "../ui/numbers";
+import { formatBytes, sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
 import { answers } from "../workbench/answers";
 import type { Loads } from "../workbench/loads";
@@ -34,12 +35,10 @@ const RESULT: readonly Entry[] = [
   { what: "result-json", title: "Everything, JSON", text: "As the command line prints it" },
 ];
 
-/** What a deck cannot hold, in the words of `actuators/export/deck_limits.py`; empty where it can be made. */
+/** What a deck cannot hold (`actuators/export/inp_inflation.py`); empty where it can be made. */
 function notInADeck(loads: Loads | null): string {
-  if (loads === null) return "";
-  if (loads.control === "volume") return "CalculiX has no cavity of given volume. Prescribe a pressure.";
-  const obstacle = loads.plate ? "plate" : loads.cylinder ? "cylinder" : "";
-  return obstacle && `A deck does not carry a ${obstacle}. Leave the ${obstacle} out.`;
+  if (loads?.control !== "volume") return "";
+  return "A deck for a volume needs a solve first: write it with pneustudio export --what inp, or prescribe a pressure.";
 }
 
 /** Files for making, for other solvers, and of the finite-element result. */
@@ -67,6 +66,14 @@ export function DownloadMenu() {
   );
 }
 
+/** Fields in the whole body: as a file, where it is kept with the result shown. */
+function bodyEntry(result: Result): Entry | null {
+  const files = result.body_files;
+  if (!files) return null;
+  const of = files.points < result.path.length ? `${files.points} of ${result.path.length} points of the path` : "Every point of the path";
+  return { what: "result-body", title: "Whole-body fields, VTU", text: `${of}, as one zip of ${formatBytes(files.bytes)}` };
+}
+
 function Files({ onDone }: { onDone: () => void }) {
   const unavailable = usePick(answers, (now) => now.check?.unavailable_files ?? null);
   const saved = usePick(bench, (timeline) => {
@@ -76,26 +83,42 @@ function Files({ onDone }: { onDone: () => void }) {
   const loads = usePick(bench, (timeline) => timeline?.present.work.loads ?? null);
   const fe = useShownFe();
   const noResult = fe && saved ? "" : "Save and run 3D FE first.";
+  const body = fe && bodyEntry(fe.result);
   return (
     <div className="menu files-menu">
       <Section title="Make" entries={MAKE} reason={(what) => unavailable?.[what] ?? ""} onDone={onDone} />
       <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => notInADeck(loads)} onDone={onDone} />
-      <Section title="Result of 3D FE" entries={RESULT} reason={() => noResult} onDone={onDone}>
-        <button
-          type="button"
-          className="menu-item"
-          disabled={fe === null}
-          title={fe ? wholeBody(fe.job, fe.result) : "Run 3D FE first."}
-          data-testid="copy-whole-body"
-          onClick={() => {
-            if (fe) void copyCommand(wholeBody(fe.job, fe.result)).finally(onDone);
-          }}
-        >
-          <span className="menu-title">Whole-body fields, VTU: copy the command</span>
-          <span className="muted">Inner fields are not stored; the command solves again and writes them</span>
-        </button>
+      <Section
+        title={fe ? `Result of ${feLabel(fe.job)}` : "Result of 3D FE"}
+        entries={body ? [body, ...RESULT] : RESULT}
+        reason={() => noResult}
+        jobId={fe?.job.id ?? null}
+        onDone={onDone}
+      >
+        {!body && <WholeBodyCommand fe={fe} onDone={onDone} />}
       </Section>
     </div>
+  );
+}
+
+/** Where the fields are not kept: the command that solves again. */
+function WholeBodyCommand({ fe, onDone }: { fe: ShownFe | null; onDone: () => void }) {
+  return (
+    <button
+      type="button"
+      className="menu-item"
+      disabled={fe === null}
+      title={fe ? wholeBody(fe.job, fe.result) : "Run 3D FE first."}
+      data-testid="copy-whole-body"
+      onClick={() => {
+        if (fe) void copyCommand(wholeBody(fe.job, fe.result)).finally(onDone);
+      }}
+    >
+      <span className="menu-title">Whole-body fields, VTU{fe && ": copy the command"}</span>
+      <span className="muted">
+        {fe ? "Not kept with this result; the command solves again and writes them" : "Save and run 3D FE first."}
+      </span>
+    </button>
   );
 }
 
@@ -104,12 +127,14 @@ interface SectionProps {
   entries: readonly Entry[];
   /** Why a file cannot be had; empty where it can. */
   reason: (what: FileKind) => string;
+  /** Whose result is meant. */
+  jobId?: string | null;
   onDone: () => void;
   /** Further entries. */
   children?: ReactNode;
 }
 
-function Section({ title, entries, reason, onDone, children }: SectionProps) {
+function Section({ title, entries, reason, jobId = null, onDone, children }: SectionProps) {
   const [busy, setBusy] = useState<FileKind | null>(null);
   return (
     <section>
@@ -126,7 +151,7 @@ function Section({ title, entries, reason, onDone, children }: SectionProps) {
             data-testid={`download-${file.what}`}
             onClick={() => {
               setBusy(file.what);
-              void download(file.what).finally(() => {
+              void download(file.what, jobId).finally(() => {
                 setBusy(null);
                 onDone();
               });

@@ -31,22 +31,24 @@ function nameFrom(response: Response, fallback: string): string {
   return /filename="?([^";]+)"?/i.exec(header)?.[1] ?? fallback;
 }
 
-function ask(what: FileKind) {
+function ask(what: FileKind, jobId: string | null) {
   const snapshot = bench.get()?.present;
   if (!snapshot) throw new Error("Nothing is open.");
   const { origin, work } = snapshot;
   if (origin.kind === "version" && !isChanged(snapshot)) {
     const path = { version_id: origin.versionId, what };
-    return api.GET("/api/versions/{version_id}/files/{what}", { params: { path }, parseAs: "blob" });
+    const query = isMade(what) || jobId === null ? {} : { job_id: jobId };
+    return api.GET("/api/versions/{version_id}/files/{what}", { params: { path, query }, parseAs: "blob" });
   }
   if (!isMade(what)) throw new Error("Save and run 3D FE first.");
   const body = { design: work.design, scene: sceneOf(work.loads, "auto"), what, name: work.name };
   return api.POST("/api/export", { body, parseAs: "blob" });
 }
 
-export async function download(what: FileKind): Promise<void> {
+/** `jobId`: whose result is meant, where the file is one of a result; the most accurate where null. */
+export async function download(what: FileKind, jobId: string | null): Promise<void> {
   try {
-    const pending = ask(what);
+    const pending = ask(what, jobId);
     const blob = await take<Blob>(pending);
     hand(blob, nameFrom((await pending).response, what));
   } catch (error) {

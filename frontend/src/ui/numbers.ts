@@ -31,6 +31,12 @@ export function formatSeconds(seconds: number): string {
   return `${Math.floor(minutes / 60)} h ${(minutes % 60).toString().padStart(2, "0")} min`;
 }
 
+/** "0.8 MB", "12 MB": what a download weighs. */
+export function formatBytes(bytes: number): string {
+  const megabytes = bytes / 1e6;
+  return `${megabytes < 10 ? Math.max(0.1, megabytes).toFixed(1) : megabytes.toFixed(0)} MB`;
+}
+
 export function formatMoment(iso: string): string {
   const moment = new Date(iso);
   const today = new Date().toDateString() === moment.toDateString();
