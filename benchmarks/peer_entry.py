@@ -149,10 +149,9 @@ def calculix(problem: PeerProblem, layers: Layers) -> Found:
     from benchmarks.calculix_engine import run_calculix
 
     mesh = mesh_body(problem.half(), layers=layers)
-    found = run_calculix(
-        mesh, problem.materials, Scene(problem.pressure, gravity=GRAVITY, self_contact="off"),
-        plate=stop(problem, mesh),
-    )  # fmt: skip
+    scene = Scene(problem.pressure, gravity=GRAVITY, plate=problem.plate, self_contact="off")
+    plate = stop(problem, mesh)
+    found = run_calculix(mesh, problem.materials, scene, law=None if plate is None else plate[1])
     return Found(
         found.tip, found.unknowns, found.iterations, found.wall, found.cpu, "own steps", found.force
     )

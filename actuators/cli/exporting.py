@@ -60,7 +60,7 @@ def export(
             given = {} if accuracy is None else {"accuracy": read_accuracy(accuracy)}
             question = ModelQuestion(
                 read_scene(pressure, scene_file, None), mesh, element,
-                progress=show_progress(), cancelled=interrupted, **given,
+                progress=show_progress(), cancelled=interrupted, solving=True, **given,
             )  # fmt: skip
         made = {kind: write(chosen, kind, question) for kind in kinds}
     target = Path(folder)

@@ -11,16 +11,27 @@ import numpy as np
 
 from actuators.design.base import Design
 from actuators.errors import QuestionError
-from actuators.export.deck_limits import not_in_a_deck
 from actuators.export.inp_contact import (
+    WallPair,
+    deck_law,
     interaction_cards,
     wall_cards,
     wall_pairs,
 )
+from actuators.export.inp_inflation import Inflation, inflation_of
 from actuators.export.inp_lines import ELEMENTS, MM, MPA, SIDES, node_rows, rows
 from actuators.export.inp_material import material_card
+from actuators.export.inp_obstacle import (
+    RigidSolid,
+    force_requests,
+    force_set,
+    obstacle_cards,
+    rigid_solids,
+)
 from actuators.export.inp_sheet import sheet_cards
 from actuators.materials import Material
+from actuators.mechanics.continuum.contact import ContactLaw
+from actuators.mechanics.continuum.contact.build import obstacles
 from actuators.mechanics.scene import Scene
 from actuators.meshing import Faces, HexMesh
 
@@ -32,14 +43,22 @@ def deck(
     *,
     element: str = "C3D20R",
     heading: Sequence[str] = (),
+    inflation: Inflation | None = None,
+    law: ContactLaw | None = None,
 ) -> str:
-    """The deck's text. Raises :class:`QuestionError` for what it cannot carry."""
-    _refuse(mesh, scene, element)
+    """The deck's text. ``inflation``: pressures over the last step, where the scene prescribes a
+    volume; ``law``: how hard surfaces are, None as our solver takes them. Raises
+    :class:`QuestionError` for what a deck cannot carry."""
+    _refuse_element(element)
+    inflation = inflation or inflation_of(scene)
+    law = law or deck_law(mesh, materials, scene)
+    obstacles(mesh, law, scene)  # refuses what stands in the body
+    solids = rigid_solids(mesh, scene)
     chosen = mesh.elements[:, ELEMENTS[element]]
     kept = np.unique(chosen)
     names = [_name(region.name) for region in mesh.regions]
     walls = () if scene.self_contact == "off" else wall_pairs(mesh)
-    lines = [*_heading(heading, mesh, scene, element, len(walls)), "*NODE, NSET=NALL"]
+    lines = [*_heading(heading, mesh, element, inflation, walls, solids), "*NODE, NSET=NALL"]
     lines += node_rows(kept + 1, mesh.nodes[kept])
     for number, name in enumerate(names):
         lines.append(f"*ELEMENT, TYPE={element}, ELSET={name}")
@@ -60,51 +79,73 @@ def deck(
         card = f"M-{name}"[:80]
         lines += [f"** region: {region.name}", *material_card(material, card)]
         lines.append(f"*SOLID SECTION, ELSET={name}, MATERIAL={card}")
-    lines += sheet_cards(mesh, element, len(mesh.elements) + 1)
-    if walls:
-        lines += [*interaction_cards(mesh, materials, scene), *wall_cards(walls)]
+    held = sum(len(solid.elements) for solid in solids)
+    lines += sheet_cards(mesh, element, len(mesh.elements) + held + 1)
+    if walls or solids:
+        lines += [*interaction_cards(law), *wall_cards(walls)]
+    lines += obstacle_cards(mesh, solids, len(mesh.nodes) + 1, len(mesh.elements) + 1)
     lines += ["*BOUNDARY", "CLAMP, 1, 3"]
     if mesh.is_half:
         lines.append("SYMMETRY, 2, 2")
-    before = _loads_before(mesh, scene, loaded, chosen, element)
+    lines += inflation.amplitude
+    before = _loads_before(mesh, scene, loaded, element)
     if before:
-        lines += ["** step 1: what acts before inflation", *_step(before)]
+        lines += ["** step 1: what acts before inflation", *_step(before, solids)]
     lines += ["** inflation: the pressure turns and stretches with the walls"]
-    pressure = (scene.pressure_to or 0.0) * MPA
-    lines += _step(["*DLOAD", *_pressures("CAVITY", cavity, pressure)])
+    pressures = _pressures("CAVITY", cavity, inflation.pressure * MPA)
+    lines += _step([inflation.load, *pressures], solids)
     return "\n".join(lines) + "\n"
 
 
-def _refuse(mesh: HexMesh, scene: Scene, element: str) -> None:
+def _refuse_element(element: str) -> None:
     if element not in ELEMENTS:
         raise QuestionError(
             f"element is {element!r}; a deck has {', '.join(ELEMENTS)}.",
             field="element", value=element, mend=f"Use one of {', '.join(ELEMENTS)}.",
         )  # fmt: skip
-    refused = not_in_a_deck(scene)
-    if refused is not None:
-        raise refused
 
 
 def _heading(
-    lines: Sequence[str], mesh: HexMesh, scene: Scene, element: str, walls: int
+    lines: Sequence[str],
+    mesh: HexMesh,
+    element: str,
+    inflation: Inflation,
+    walls: Sequence[WallPair],
+    solids: Sequence[RigidSolid],
 ) -> list[str]:
-    out = ["*HEADING", *(lines or ["Pneumatic actuator"])]
-    out += [
+    return [
+        "*HEADING", *(lines or ["Pneumatic actuator"]),
         "** Units: N, mm, MPa, tonne, s (density in tonne/mm3, acceleration in mm/s2).",
         "** X1 from the clamp along the body, X2 across, X3 up from the underside.",
         f"** {len(mesh.elements)} elements {element}"
         + ("; half model, X2 = 0 is a plane of symmetry." if mesh.is_half else "."),
         "** CalculiX: ccx NAME (without .inp). Abaqus: C3D20RH in place of C3D20R suits nearly",
         "** incompressible rubber better.",
-        f"** Contact without friction: {walls} pairs of walls that face each other across a gap;\n"
-        "** other surfaces that meet (a curled underside) pass through each other."
-        if walls
-        else "** No contact of the body with itself: surfaces that meet pass through each other.",
-    ]
-    if scene.pressure_to is not None:
-        out.append(f"** Cavity pressure at the end: {scene.pressure_to * MPA:.9g} MPa.")
-    return out
+        *_said_of_contact(mesh, walls, solids),
+        *inflation.heading,
+    ]  # fmt: skip
+
+
+def _said_of_contact(
+    mesh: HexMesh, walls: Sequence[WallPair], solids: Sequence[RigidSolid]
+) -> list[str]:
+    lines = ["** No contact of the body with itself: surfaces that meet pass through each other."]
+    if walls:
+        lines = [
+            f"** Contact without friction: {len(walls)} pairs of walls that face each other across "
+            "a gap;",
+            "** left out are other surfaces of the body that meet (a curled underside, walls of",
+            "** the cavity): they pass through each other.",
+        ]
+    for solid in solids:
+        half = ", of half the body" if mesh.is_half else ""
+        lines += [
+            f"** Rigid {solid.name.lower()} without friction, every node held: it ends where the "
+            "body cannot reach.",
+            f"** The force on it is the sum of the reactions RF of the node set {force_set(solid)}"
+            f"{half}.",
+        ]
+    return lines
 
 
 def _name(text: str) -> str:
@@ -150,7 +191,6 @@ def _loads_before(
     mesh: HexMesh,
     scene: Scene,
     sets: Mapping[str, tuple[int, np.ndarray]],
-    chosen: np.ndarray,
     element: str,
 ) -> list[str]:
     distributed: list[str] = []
@@ -189,7 +229,7 @@ def _tip_loads(mesh: HexMesh, force: np.ndarray, element: str) -> list[str]:
     ]
 
 
-def _step(loads: Sequence[str]) -> list[str]:
+def _step(loads: Sequence[str], solids: Sequence[RigidSolid]) -> list[str]:
     return [
         "*STEP, NLGEOM, INC=2000",
         "*STATIC",
@@ -199,6 +239,7 @@ def _step(loads: Sequence[str]) -> list[str]:
         "U",
         "*EL FILE",
         "S, E",
+        *force_requests(solids),
         "*NODE PRINT, NSET=TIP",
         "U",
         "*END STEP",
@@ -206,10 +247,17 @@ def _step(loads: Sequence[str]) -> list[str]:
 
 
 def abaqus_deck(
-    design: Design, mesh: HexMesh, materials: Sequence[Material], scene: Scene, element: str
+    design: Design,
+    mesh: HexMesh,
+    materials: Sequence[Material],
+    scene: Scene,
+    element: str,
+    inflation: Inflation | None = None,
 ) -> dict[str, bytes]:
     """``model.inp``."""
     heading = [f"{design.title}, design {design.digest[:12]}, scene {scene.digest[:12]}"]
     notes = [f"** Assumed: {text}" for text in design.assumptions()]
-    text = deck(mesh, materials, scene, element=element, heading=[*heading, *notes])
+    text = deck(
+        mesh, materials, scene, element=element, heading=[*heading, *notes], inflation=inflation
+    )
     return {"model.inp": text.encode("ascii", "replace")}

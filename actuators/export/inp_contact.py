@@ -15,7 +15,8 @@ from scipy.spatial import KDTree
 
 from actuators.export.inp_lines import chosen_faces, middles, surface
 from actuators.materials import Material
-from actuators.mechanics.continuum.contact.surface import contact_law
+from actuators.mechanics.continuum.contact.build import expected_pressure
+from actuators.mechanics.continuum.contact.surface import ContactLaw, contact_law
 from actuators.mechanics.scene import Scene
 from actuators.meshing import Faces, HexMesh
 
@@ -26,6 +27,8 @@ NEAR = 0.5
 TENSION = 1e-8
 """Pull between surfaces far apart [MPa], which CalculiX asks for: negligible beside any load. With
 this value its walls and ours agree (a test compares them)."""
+TOUCH = "TOUCH"
+"""The deck's one surface interaction."""
 _MPA_PER_MM = 1e-9
 
 
@@ -39,7 +42,7 @@ class WallPair:
 
 def wall_pairs(mesh: HexMesh) -> tuple[WallPair, ...]:
     """Walls of the outside that face each other, gap by gap along X1."""
-    faces = _touchable(mesh)
+    faces = touchable(mesh)
     _, normal = middles(mesh, faces)
     forward = _walls(chosen_faces(faces, normal[:, 0] > FACING))
     backward = _walls(chosen_faces(faces, normal[:, 0] < -FACING))
@@ -62,23 +65,30 @@ def wall_cards(pairs: Sequence[WallPair]) -> list[str]:
     for number, pair in enumerate(pairs, 1):
         names = f"WALL_{number}_FORWARD", f"WALL_{number}_BACKWARD"
         lines += [*surface(names[0], pair.forward), *surface(names[1], pair.backward)]
-        lines += _pair(*names)
+        lines += contact_pair(*names)
     return lines
 
 
-def interaction_cards(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> list[str]:
-    """How hard surfaces are against each other, as in our own solver."""
-    expected = 6 * (abs(scene.pressure_to or 0.0) + abs(scene.outside_pressure))
-    law = contact_law(mesh, materials, expected or np.inf)
+def deck_law(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> ContactLaw:
+    """How hard surfaces are against each other in our own solver."""
+    expected = expected_pressure(mesh, materials, scene)
+    return contact_law(mesh, materials, expected or np.inf)
+
+
+def interaction_cards(law: ContactLaw) -> list[str]:
+    """The one interaction that all contact pairs of a deck share."""
     return [
-        "*SURFACE INTERACTION, NAME=TOUCH",
+        f"*SURFACE INTERACTION, NAME={TOUCH}",
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR",
         f"{law.stiffness * _MPA_PER_MM:.6e}, {TENSION:g}",
     ]
 
 
-def _pair(slave: str, master: str) -> list[str]:
-    return ["*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE", f"{slave}, {master}"]
+def contact_pair(slave: str, master: str) -> list[str]:
+    """Two surfaces, by name, that :func:`interaction_cards` holds apart."""
+    return [
+        f"*CONTACT PAIR, INTERACTION={TOUCH}, TYPE=SURFACE TO SURFACE", f"{slave}, {master}",
+    ]  # fmt: skip
 
 
 def _without(faces: Faces, nodes: np.ndarray) -> Faces:
@@ -87,7 +97,7 @@ def _without(faces: Faces, nodes: np.ndarray) -> Faces:
     return chosen_faces(faces, np.logical_not(joined))
 
 
-def _touchable(mesh: HexMesh) -> Faces:
+def touchable(mesh: HexMesh) -> Faces:
     """All outer faces but those on the clamp."""
     clamp = np.zeros(len(mesh.nodes), dtype=bool)
     clamp[mesh.clamp_nodes] = True

@@ -34,20 +34,27 @@ def obeyed(design: Design, scene: Scene, rung: str) -> tuple[Design, Scene]:
                 f"{mend}",
                 field=field_of(name), value="on", mend=mend,
             )  # fmt: skip
-    off = {field for name, field in _LOADS.items() if scene.choice(name) == "off"}
     kept = replace(
-        scene,
-        gravity=None if "gravity" in off else scene.gravity,
-        outside_pressure=0.0 if "outside_pressure" in off else scene.outside_pressure,
-        tip_force=None if "tip_force" in off else scene.tip_force,
-        plate=None if "plate" in off else scene.plate,
-        cylinder=None if "cylinder" in off else scene.cylinder,
+        without_loads_off(scene),
         effects=(),
         # only an inflated cell has walls that meet
         self_contact="off" if rung == "cell-rod" and scene.self_contact == "off" else "auto",
     )
     loose = without_layer(design) if scene.choice("inextensible_layer") == "off" else None
     return loose or design, kept
+
+
+def without_loads_off(scene: Scene) -> Scene:
+    """The scene less the loads and obstacles that it switches off."""
+    off = {field for name, field in _LOADS.items() if scene.choice(name) == "off"}
+    return replace(
+        scene,
+        gravity=None if "gravity" in off else scene.gravity,
+        outside_pressure=0.0 if "outside_pressure" in off else scene.outside_pressure,
+        tip_force=None if "tip_force" in off else scene.tip_force,
+        plate=None if "plate" in off else scene.plate,
+        cylinder=None if "cylinder" in off else scene.cylinder,
+    )
 
 
 def marked(response: Response, design: Design, scene: Scene) -> Response:

@@ -11,7 +11,12 @@ from actuators.mechanics.continuum.contact.interaction import Interaction
 from actuators.mechanics.continuum.contact.obstacle import Obstacle
 from actuators.mechanics.continuum.contact.points import WALL_POINTS
 from actuators.mechanics.continuum.contact.self_contact import SelfContact
-from actuators.mechanics.continuum.contact.surface import contact_law, inside, outside
+from actuators.mechanics.continuum.contact.surface import (
+    ContactLaw,
+    contact_law,
+    inside,
+    outside,
+)
 from actuators.mechanics.obstacles import Cylinder
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
@@ -25,22 +30,29 @@ def interactions(
 ) -> tuple[Interaction, ...]:
     """Plate, cylinder, and the body against itself, outside and in the cavity, unless that is
     switched off."""
-    surface = outside(mesh)
-    law = contact_law(mesh, materials, _expected_pressure(mesh, materials, scene))
-    obstacles = [
-        Obstacle(surface, law, obstacle)
-        for obstacle in (scene.plate, scene.cylinder)
-        if obstacle is not None
-    ]
-    for obstacle in obstacles:
-        _refuse_overlap(obstacle, mesh)
+    law = contact_law(mesh, materials, expected_pressure(mesh, materials, scene))
+    rigid = obstacles(mesh, law, scene)
     if scene.self_contact == "off":
-        return tuple(obstacles)
+        return rigid
     height = float(np.ptp(mesh.nodes[:, 2]))
     outer = SelfContact(outside(mesh, WALL_POINTS), law, height)
     if not len(mesh.cavity_faces.nodes):
-        return (*obstacles, outer)
-    return (*obstacles, SelfContact(inside(mesh), law, height, within=True), outer)
+        return (*rigid, outer)
+    return (*rigid, SelfContact(inside(mesh), law, height, within=True), outer)
+
+
+def obstacles(mesh: HexMesh, law: ContactLaw, scene: Scene) -> tuple[Obstacle, ...]:
+    """Plate and cylinder of a scene. Raises :class:`QuestionError` for a cylinder inside the
+    undeformed body."""
+    surface = outside(mesh)
+    found = tuple(
+        Obstacle(surface, law, obstacle)
+        for obstacle in (scene.plate, scene.cylinder)
+        if obstacle is not None
+    )
+    for obstacle in found:
+        _refuse_overlap(obstacle, mesh)
+    return found
 
 
 def holds_cavity(contacts: Sequence[Interaction]) -> bool:
@@ -48,7 +60,7 @@ def holds_cavity(contacts: Sequence[Interaction]) -> bool:
     return any(isinstance(each, SelfContact) and each.within for each in contacts)
 
 
-def _expected_pressure(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> float:
+def expected_pressure(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> float:
     """Contact pressure [Pa] that the loads can make: some times the pressures, weight and force on
     the body's section; infinite where the loads do not bound it."""
     if scene.pressure_to is None:
