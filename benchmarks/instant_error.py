@@ -17,6 +17,7 @@ chambers, inflated under gravity.
 import argparse
 import json
 import math
+import signal
 import time
 from collections.abc import Sequence
 from datetime import date
@@ -45,6 +46,8 @@ STEPS = 12
 FEWEST = 10
 """Designs that a level needs before it is written down."""
 JUDGED = ("closed-form", "energy")
+PATIENCE_S = 40.0
+"""Processor seconds that the reference may take; it usually answers in two."""
 
 Entry = dict[str, Any]
 
@@ -69,10 +72,16 @@ def compared(design: Design) -> Entry:
     per_pressure = chamber_row(design).largest_strain
     last = min(float(levels(design.family)[-1]) / per_pressure, STRONGEST)
     scene = Scene(last, steps=STEPS)
+    signal.signal(signal.SIGPROF, _give_up)
+    signal.setitimer(signal.ITIMER_PROF, PATIENCE_S)
     try:
         best = predict(design, scene, rung=REFERENCE)
     except QuestionError as refusal:
         return {"refused": str(refusal)}
+    except TimeoutError:
+        return {"refused": f"no answer within {PATIENCE_S:g} s of the processor"}
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
     pressure = np.array([p.pressure for p in best.path])
     trusted = pressure <= (math.inf if best.trusted_to is None else best.trusted_to)
     pressure = pressure[trusted]
@@ -87,6 +96,10 @@ def compared(design: Design) -> Entry:
         },
         "cpu": round(time.process_time() - begun, 2),
     }
+
+
+def _give_up(*_: object) -> None:
+    raise TimeoutError
 
 
 def _errors(answer: Response, best: Response, at: np.ndarray) -> np.ndarray:
