@@ -13,7 +13,13 @@ from actuators.design import Design
 from actuators.geometry.volumes import exact_volumes
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.row import ChamberRow, chamber_row
-from actuators.mechanics.cell_rod.cells import row_apart, row_bending, row_paths, row_shear
+from actuators.mechanics.cell_rod.cells import (
+    end_bending,
+    row_apart,
+    row_bending,
+    row_paths,
+    row_shear,
+)  # fmt: skip
 from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, reached
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
 from actuators.mechanics.cell_rod.held import give, hold, shifted
@@ -62,6 +68,7 @@ class Question:
     weights: np.ndarray
     shear: np.ndarray
     bent: np.ndarray
+    end: np.ndarray
     grip: Grip | None
     root: Root | None
     apart: tuple[CellPath, ...] | None
@@ -70,7 +77,7 @@ class Question:
         """Rod at every pressure (k,), as far as it finds equilibria."""
         layout = self.layout
         chambers = inflated(self.paths, self.weights, pressures)
-        laws = piece_laws(layout, chambers, self.shear, self.bent)
+        laws = piece_laws(layout, chambers, self.shear, self.bent, self.end)
         if self.apart is not None and chambers.contact is not None:
             laws = self._parted(laws, chambers, pressures)
         if self.grip is not None:
@@ -81,9 +88,10 @@ class Question:
         obstacles = obstacles_of(
             self.design, layout, self.scene, float(np.abs(moment).max(initial=0.0))
         )
-        path = follow_laws(laws, chain_of(self.design, layout, self.scene), obstacles)
+        chain = chain_of(self.design, layout, self.scene)
+        path = follow_laws(laws, chain, obstacles)
         if self.grip is not None:
-            path = shifted(path, chambers, self.grip)
+            path = shifted(path, chambers, self.grip, layout, chain, pressures)
         found = len(path.positions)
         # weight and obstacles bend chambers, which changes their cavities a little
         bent = path.strains[..., :4] - laws.free[:found, :, :4]
@@ -107,18 +115,20 @@ class Question:
         return replace(laws, parted=wide, release=share)
 
 
-def piece_laws(layout: Layout, chambers: Chambers, shear: np.ndarray, bent: np.ndarray) -> Laws:
+def piece_laws(
+    layout: Layout, chambers: Chambers, shear: np.ndarray, bent: np.ndarray, end: np.ndarray
+) -> Laws:
     """Laws of the pieces at k pressures. ``shear``: (s, 2) stiffness along X2 and X3 [N];
-    ``bent``: (n,) relative growth of the chambers' bending compliance per curvature [m]."""
+    ``bent``: (n, 2) how the chambers' bending stiffness falls with the curvature [m, m2],
+    ``end``: (2,) that of solid ends."""
     k, s = len(chambers.free), len(layout.length)
     free, stiffness = np.zeros((k, s, 6)), np.zeros((k, s, 6, 6))
     free[..., :4] = layout.free(chambers.free)
     stiffness[..., :4, :4] = layout.stiffness(chambers.stiffness)
     stiffness[..., 4, 4], stiffness[..., 5, 5] = shear[:, 0], shear[:, 1]
-    # solid ends hardly bend; a pitch that is cut off turns more for its length
-    inside = np.linalg.inv(chambers.stiffness)[..., BENDING, BENDING] ** 2 * bent
-    along = np.where(layout.chambered, layout.whole, 0.0)
-    return Laws(free, stiffness, inside[:, layout.chamber] * along)
+    # a pitch that is cut off turns more for its length
+    change = np.where(layout.chambered[:, None], bent[layout.chamber], end)
+    return Laws(free, stiffness, change / layout.whole[:, None] ** [1, 2])
 
 
 def answer(design: Design, scene: Scene, steps: int) -> Response:
@@ -127,15 +137,21 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
     row = chamber_row(design)
     paths, weights = row_paths(design, scene)
     shears = weights @ row_shear(design)
-    bent = np.zeros(len(weights))
+    bent, ends = np.zeros((len(weights), 2)), np.zeros(2)
     changes = row_bending(design) if _loaded(scene) else ()
     if changes:
-        bent = weights @ np.array([change.growth for change in changes])
+        bent = weights @ np.array([[change.growth, change.further] for change in changes])
+        solid = end_bending(design)
+        if solid is not None:
+            ends, changes = np.array([solid.growth, solid.further]), (*changes, solid)
     celled = time.perf_counter()
     layout = layout_of(design, row)
+    grip = grip_of(design)
+    if grip is not None:
+        shears[:, 1] /= grip.shear
     question = Question(
         design, scene, row, layout, paths, weights, _shear(layout, shears),
-        bent, grip_of(design), root_of(design),
+        bent, ends, grip, root_of(design),
         row_apart(design, paths) if _loaded(scene) else None,
     )  # fmt: skip
     solved, short = _to_the_end(question, scene, steps)

@@ -1,12 +1,13 @@
 """The cells of a design: paths over pressure; shear and bending, kept by their own content."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from actuators.design import Design
-from actuators.geometry import Body
+from actuators.design import Design, SlabDesign
+from actuators.geometry import CAVITY, Body
 from actuators.geometry.volumes import exact_volumes
 from actuators.materials import Material, material
 from actuators.mechanics.cell.cache import cell_response
@@ -79,6 +80,17 @@ def row_shear(design: Design) -> np.ndarray:
 def row_bending(design: Design) -> tuple[BendingChange, ...]:
     """How the stiffness of the design's cells changes as loads bend them."""
     return tuple(_bending(cell) for cell in row_cells(design)[0])
+
+
+def end_bending(design: Design) -> BendingChange | None:
+    """How the stiffness of a slab's solid ends changes as loads bend them: that of its first cell,
+    filled. None of other families: their ends are stiff beside a floor between blocks."""
+    if not isinstance(design, SlabDesign):
+        return None
+    cell = row_cells(design)[0][0]
+    fill = cell.fill.copy()
+    fill[fill == CAVITY] = len(cell.regions) - 1
+    return _bending(replace(cell, fill=fill))
 
 
 def _bending(cell: Body) -> BendingChange:

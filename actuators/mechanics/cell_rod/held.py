@@ -7,6 +7,7 @@ import numpy as np
 from actuators.mechanics.cell_rod.chambers import Chambers
 from actuators.mechanics.cell_rod.grip import Grip
 from actuators.mechanics.cell_rod.root import Root
+from actuators.mechanics.rod.chain import Chain
 from actuators.mechanics.rod.follow import Laws, LoadedPath
 from actuators.mechanics.rod.pieces import Layout
 
@@ -21,8 +22,10 @@ def hold(laws: Laws, layout: Layout, chambers: Chambers, grip: Grip) -> None:
     own[:, BENDING, BENDING] += grip.turn * inside / length
     # upwards is against the bending's sign: a force up turns, a moment shifts, by -b
     for a, b in ((BENDING, UPRIGHT), (UPRIGHT, BENDING)):
-        own[:, a, b] -= grip.shift * inside / length
+        own[:, a, b] -= grip.mixed * inside / length
+    own[:, UPRIGHT, UPRIGHT] += grip.shift * inside / length
     laws.stiffness[:, 0] = np.linalg.inv(own)
+    laws.bent[0] = 0.0
     laws.free[:, 0, BENDING] += chambers.free[:, 0, BENDING] * grip.pressed_turn / length
 
 
@@ -39,12 +42,27 @@ def give(laws: Laws, layout: Layout, chambers: Chambers, root: Root) -> None:
     laws.free[:, border, 1:4] += pressed / length
 
 
-def shifted(path: LoadedPath, chambers: Chambers, grip: Grip) -> LoadedPath:
-    """Shapes with what pressure shifts the inside's line at the clamp, and the tip point at the
-    free end."""
-    curvature = chambers.free[: len(path.positions), [0, -1], BENDING]
-    up = path.frames[..., 2]
-    positions = path.positions.copy()
+def shifted(
+    path: LoadedPath, chambers: Chambers, grip: Grip, layout: Layout, chain: Chain,
+    pressures: np.ndarray,
+) -> LoadedPath:  # fmt: skip
+    """Shapes at ``pressures`` (k,) with what pressure shifts the inside's line at the clamp, and
+    with the free end's own place and turn under pressure and loads."""
+    found = len(path.positions)
+    curvature = chambers.free[:found, [0, -1], BENDING]
+    compliance = np.linalg.inv(chambers.stiffness[:found, 0])[:, BENDING, BENDING]
+    frames, positions = path.frames.copy(), path.positions.copy()
+    up = path.frames[..., 2].copy()
+    # the load that the end feels: per area of the underside, and on the end face
+    down = -up[:, -1]
+    area = float((chain.width * layout.length).sum())
+    spread = (down @ chain.gravity) * float(chain.weight.sum()) / area - chain.outside
+    loads = np.stack([spread, down @ chain.tip_force], axis=-1)
+    turn = compliance * (loads @ grip.tip) + grip.pressed_tip * pressures[:found]
     positions[:, 1:] += (grip.pressed_shift * curvature[:, 0])[:, None, None] * up[:, :1]
-    positions[:, -1] += (grip.pressed_tip * curvature[:, 1])[:, None] * up[:, -1]
-    return replace(path, positions=positions)
+    positions[:, -1] += (grip.pressed_lift * curvature[:, 1])[:, None] * up[:, -1]
+    along = frames[:, -1, :, 0].copy()
+    cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
+    frames[:, -1, :, 0] = cosine * along + sine * down
+    frames[:, -1, :, 2] = cosine * up[:, -1] + sine * along
+    return replace(path, positions=positions, frames=frames)

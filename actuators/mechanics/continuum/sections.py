@@ -33,7 +33,7 @@ def rod_shape(mesh: HexMesh, states: Sequence[State]) -> RodShape:
     line = mesh.underside_line
     stations = mesh.nodes[line, 0]
     displacement = np.array([s.displacement for s in states]).reshape(-1, len(mesh.nodes), 3)
-    frames = _section_frames(mesh, displacement)
+    frames = section_frames(mesh, displacement)
     normal = frames[..., 0]
     angle = np.unwrap(np.arctan2(-normal[..., 2], normal[..., 0]), axis=1)
     turn = _rotation_vectors(np.swapaxes(frames[:, :-1], -1, -2) @ frames[:, 1:]).sum(axis=1)
@@ -46,8 +46,8 @@ def rod_shape(mesh: HexMesh, states: Sequence[State]) -> RodShape:
     )
 
 
-def _section_frames(mesh: HexMesh, displacement: np.ndarray) -> np.ndarray:
-    """(k, s, 3, 3) rotation of each section."""
+def section_frames(mesh: HexMesh, displacement: np.ndarray) -> np.ndarray:
+    """(k, s, 3, 3) rotation of each section under displacements (k, n, 3)."""
     nodes = np.unique(mesh.elements[mesh.region == BOTTOM_REGION])
     station = mesh.node_index[nodes, 0]
     count = int(station.max()) + 1

@@ -28,6 +28,6 @@ def follow_scene(
     every = np.broadcast_to(stiffness, (k, s, 6, 6))
     moment = float(np.abs(stiffness @ strains[-1][..., None])[:, 1:4].max(initial=0.0))
     obstacles = obstacles_of(design, layout, scene, moment)
-    laws = Laws(strains, every, np.zeros((k, s)))
+    laws = Laws(strains, every, np.zeros((s, 2)))
     path = follow_laws(laws, chain_of(design, layout, scene), obstacles)
     return RodPath(path.strains[..., :4], path.positions, path.frames, path.iterations)

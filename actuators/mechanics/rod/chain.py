@@ -2,10 +2,13 @@
 
 Rod strains are e = (stretch, torsion, bending about X2, bending about X3, shear along X2, shear
 along X3), their resultants S = (force along X1, moments about X1, X2, X3, forces along X2, X3). A
-law holds at one pressure. With d = e - e_free, g the column of D for bending about X2, and c how
-the compliance of bending grows with the moment M (e_2 = C_22 M + c M^2/2 under a moment alone),
+law holds at one pressure. With d = e - e_free, C the inverse of D and g the column of D for bending
+about X2, whose stiffness falls as it bends (under a moment M alone d_2 = k, C_22 M = k - q),
 
-    S = D d - c M^2/2 g,      M + c D_22 M^2/2 = g . d.
+    S = D d - q(k) g,      q = a k^2/2 + b k^3,      k + (C_22 D_22 - 1) q = C_22 g . d.
+
+Beyond a range of k, in which what was measured may be believed and the law is stable, q grows on as
+it does at the range's end.
 
 Where walls of neighbouring chambers press on each other without resultants, loads can part them:
 beyond the plane release . S = 1 the law goes on with the free strains e_free - parted and the
@@ -42,7 +45,8 @@ class Chain(NamedTuple):
 
 class Law(NamedTuple):
     """``free``: (s, 6) strains without resultants; ``stiffness``: D (s, 6, 6); ``compliance``: its
-    inverse, which measures what an equation lacks as a turn; ``bent``: c (s,); ``parted``,
+    inverse, which measures what an equation lacks as a turn; ``bent``: (s, 4) a, b and the range of
+    k; ``parted``,
     ``release``: (s, 6), 0 where there is nothing to part; ``apart``: D (s, 6, 6) beyond."""
 
     free: np.ndarray

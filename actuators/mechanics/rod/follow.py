@@ -5,12 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from actuators.mechanics.rod.chain import Chain, Law, Obstacles
-from actuators.mechanics.rod.kinematics import sheared_shape
+from actuators.mechanics.rod.kinematics import BEND, sheared_shape
 from actuators.mechanics.rod.settle import settle
 from actuators.mechanics.rod.solve import RodPath
 from actuators.mechanics.rod.touching import obstacle_forces
 
 _SOFTER = (1e3, 1e2, 10.0, 1.0)  # an obstacle met at once is met softly first
+SOFTEST = 0.7
+"""Share of its stiffness against bending that bending may take from a piece."""
+ANYTHING = 1e30
+"""A curvature [1/m] that bounds none."""
 _FIRST_SHARE, _SMALLEST_SHARE = 1 / 4, 1 / 64  # of loads that cannot be put on at once
 
 
@@ -28,9 +32,9 @@ class LoadedPath(RodPath):
 @dataclass(frozen=True, eq=False)
 class Laws:
     """Laws of s pieces at k pressures: ``free`` (k, s, 6) rod strains without resultants,
-    ``stiffness`` (k, s, 6, 6) tangent resultants per strain, ``bent`` (k, s) growth of the bending
-    compliance with the moment, ``parted`` and ``release`` (k, s, 6) of walls that loads can part,
-    None where there are none; see :mod:`.chain`."""
+    ``stiffness`` (k, s, 6, 6) tangent resultants per strain, ``bent`` (s, 2) how the
+    bending stiffness falls with the curvature, a and b, ``parted`` and ``release`` (k, s, 6) of
+    walls that loads can part, None where there are none; see :mod:`.chain`."""
 
     free: np.ndarray
     stiffness: np.ndarray
@@ -41,15 +45,42 @@ class Laws:
     def at(self, n: int) -> Law:
         """The n-th, as the compiled code takes it."""
         stiffness = np.ascontiguousarray(self.stiffness[n])
-        free, bent = np.ascontiguousarray(self.free[n]), np.ascontiguousarray(self.bent[n])
+        free = np.ascontiguousarray(self.free[n])
         compliance = np.linalg.inv(stiffness)
         if self.parted is None or self.release is None:
             none = np.zeros_like(free)
+            bent = believed(self.bent, compliance, stiffness, stiffness)
             return Law(free, stiffness, compliance, bent, none, none, stiffness)
         parted = np.ascontiguousarray(self.parted[n])
         release = np.ascontiguousarray(self.release[n])
         apart = np.linalg.inv(compliance + parted[:, :, None] * release[:, None, :])
+        bent = believed(self.bent, compliance, stiffness, apart)
         return Law(free, stiffness, compliance, bent, parted, release, apart)
+
+
+def believed(
+    bent: np.ndarray, compliance: np.ndarray, stiffness: np.ndarray, apart: np.ndarray
+) -> np.ndarray:
+    """(s, 4) with ``bent`` (s, 2) the range of curvatures in which the stiffness it leaves is
+    between a part and a multiple of that of the straight piece, and the law is stable."""
+    much = compliance[:, BEND, BEND] * np.maximum(stiffness, apart)[:, BEND, BEND] - 1
+    most = np.full(len(bent), SOFTEST)
+    least = -SOFTEST / np.maximum(much, 1.0)
+    ends = np.stack([_roots(3 * bent[:, 1], bent[:, 0], -end) for end in (most, least)])
+    ends = np.moveaxis(ends, 0, -1).reshape(len(bent), -1)
+    low = np.where(ends < 0.0, ends, -ANYTHING).max(axis=-1)
+    high = np.where(ends > 0.0, ends, ANYTHING).min(axis=-1)
+    return np.concatenate([bent, low[:, None], high[:, None]], axis=1)
+
+
+def _roots(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
+    """Real roots (s, 2) of a x^2 + b x + c with c not 0; 0 where there is none."""
+    square = b * b - 4 * a * c
+    real = square >= 0.0
+    q = -(b + np.where(b >= 0.0, 1.0, -1.0) * np.sqrt(np.where(real, square, 0.0))) / 2
+    first = np.divide(q, a, out=np.zeros_like(q), where=real & (a != 0.0))
+    second = np.divide(c, q, out=np.zeros_like(q), where=real & (q != 0.0))
+    return np.stack([first, second], axis=-1)
 
 
 def follow_laws(laws: Laws, chain: Chain, obstacles: Obstacles) -> LoadedPath:

@@ -1,7 +1,5 @@
 """Shape of a rod with shear, and the resultants of its law (compiled)."""
 
-import math
-
 import numba as nb
 import numpy as np
 
@@ -10,7 +8,7 @@ from actuators.mechanics.rod.small import product, turn
 
 BEND = 2
 SHEAR = 4
-_TURN = 0.1  # of 1 + 2 c m: below, the parabola says nothing any more
+_ROUNDS, _CLOSE = 40, 1e-14  # of Newton's method for one bending
 
 
 @nb.njit(cache=True)
@@ -41,11 +39,24 @@ def sheared_shape(strain: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, n
 
 
 @nb.njit(cache=True)
-def _moment(c: float, m: float) -> float:
-    """M of M + c M^2/2 = m, kept from where it turns back."""
-    if c == 0.0:
-        return m
-    return (math.sqrt(max(1 + 2 * c * m, _TURN)) - 1) / c
+def softening(bent: np.ndarray, k: float) -> tuple[float, float]:
+    """q of a piece bent by k, and its slope; ``bent``: (4,), see :mod:`.chain`."""
+    at = min(max(k, bent[2]), bent[3])
+    slope = (bent[0] + 3 * bent[1] * at) * at
+    return (bent[0] / 2 + bent[1] * at) * at * at + slope * (k - at), slope
+
+
+@nb.njit(cache=True)
+def _bending(bent: np.ndarray, much: float, linear: float) -> float:
+    """k of k + much q(k) = linear, which grows with k everywhere."""
+    k = linear
+    for _ in range(_ROUNDS):
+        value, slope = softening(bent, k)
+        step = (linear - k - much * value) / (1 + much * slope)
+        k += step
+        if abs(step) <= _CLOSE * abs(k):
+            break
+    return k
 
 
 @nb.njit(cache=True)
@@ -53,11 +64,12 @@ def resultants(i: int, law: Law, strain: np.ndarray, d: np.ndarray, out: np.ndar
     """S of piece ``i`` into ``out`` (6,), its d into ``d`` (6,)."""
     for a in range(6):
         d[a] = strain[i, a] - law.free[i, a]
-    _press(law.stiffness[i], law.bent[i], d, out)
+    soft = law.compliance[i, BEND, BEND]
+    _press(law.stiffness[i], law.bent[i], soft, d, out)
     if _are_parted(i, law, out):
         for a in range(6):
             d[a] += law.parted[i, a]
-        _press(law.apart[i], law.bent[i], d, out)
+        _press(law.apart[i], law.bent[i], soft, d, out)
 
 
 @nb.njit(cache=True)
@@ -69,14 +81,17 @@ def _are_parted(i: int, law: Law, held: np.ndarray) -> bool:
 
 
 @nb.njit(cache=True)
-def _press(stiffness: np.ndarray, bent: float, d: np.ndarray, out: np.ndarray) -> None:
+def _press(
+    stiffness: np.ndarray, bent: np.ndarray, soft: float, d: np.ndarray, out: np.ndarray
+) -> None:
+    """``soft``: C_22 of the law with its walls, by which both of its sides bend alike."""
     for a in range(6):
         out[a] = 0.0
         for b in range(6):
             out[a] += stiffness[a, b] * d[b]
-    if bent != 0.0:
-        moment = _moment(bent * stiffness[BEND, BEND], out[BEND])
-        less = bent * moment * moment / 2
+    if bent[0] != 0.0 or bent[1] != 0.0:
+        k = _bending(bent, soft * stiffness[BEND, BEND] - 1, soft * out[BEND])
+        less, _ = softening(bent, k)
         for a in range(6):
             out[a] -= less * stiffness[a, BEND]
 
@@ -92,10 +107,11 @@ def tangent(i: int, law: Law, d: np.ndarray, held: np.ndarray, out: np.ndarray) 
         linear += stiffness[BEND, a] * d[a]
         for b in range(6):
             out[a, b] = stiffness[a, b]
-    if law.bent[i] != 0.0:
-        curved = law.bent[i] * stiffness[BEND, BEND]
-        moment = _moment(curved, linear)
-        less = law.bent[i] * moment / (1 + curved * moment)
+    bent, soft = law.bent[i], law.compliance[i, BEND, BEND]
+    if bent[0] != 0.0 or bent[1] != 0.0:
+        much = soft * stiffness[BEND, BEND] - 1
+        _, slope = softening(bent, _bending(bent, much, soft * linear))
+        less = slope * soft / (1 + much * slope)
         for a in range(6):
             for b in range(6):
                 out[a, b] -= less * stiffness[a, BEND] * stiffness[BEND, b]
