@@ -8,10 +8,10 @@ strain and pressure that they come to.
 
 ``measure`` adds one line of JSON per design to FILE and leaves out those that stand there already,
 so that it can be stopped and begun again, or run in parts side by side. ``write`` puts quantiles of
-the error of the tip's displacement, by family and by the largest strain of the linear cell, into
-the package (``typical_errors.json``) and prints them; ``draw`` puts the map over strain and
-pressure into docs/pictures. Designs are random ones (``benchmarks/random_questions.py``) of 5 to 9
-chambers, inflated under gravity.
+the error of the tip's displacement, by family, by the largest strain of the linear cell and by the
+pressure that it takes, into the package (``typical_errors.json``) and docs/ladder.md, and prints
+them; ``draw`` puts the map over strain and pressure into docs/pictures. Designs are random ones
+(``benchmarks/random_questions.py``) of 5 to 9 chambers, inflated under gravity.
 """
 
 import argparse
@@ -37,7 +37,9 @@ from actuators.mechanics.scene import STRONGEST, Scene
 from benchmarks.random_questions import STRAINS, random_design
 
 TABLE = Path(typical_module.__file__).parent / typical_module.FILE
-PICTURE = Path(__file__).parent.parent / "docs" / "pictures" / "error_map.png"
+DOCS = Path(__file__).parent.parent / "docs"
+PICTURE, PAGE = DOCS / "pictures" / "error_map.png", DOCS / "ladder.md"
+BEGIN, END = "<!-- instant errors: begin -->", "<!-- instant errors: end -->"
 REFERENCE = "cell-rod"
 CHAMBERS = (5, 9)
 """Fewer than five, and the reference misses the ends of the body itself."""
@@ -46,6 +48,8 @@ STEPS = 12
 FEWEST = 10
 """Designs that a level needs before it is written down."""
 JUDGED = ("closed-form", "energy")
+GROUPS = {2: 28, 3: 60}
+"""Into how many groups the designs of a family are parted, from so many on."""
 PATIENCE_S = 40.0
 """Processor seconds that the reference may take; it usually answers in two."""
 
@@ -146,20 +150,39 @@ def read_off(entry: Entry, rung: str) -> np.ndarray:
     return np.interp(levels(entry["family"]), strain, entry["errors"][rung], right=np.nan)
 
 
-def quantiles(family: str, errors: Sequence[np.ndarray], source: str) -> dict[str, Any] | None:
-    """Half and four fifths of the designs at each level that enough of them came to."""
-    if not errors:
+def quantiles(
+    family: str, rung: str, entries: Sequence[Entry], source: str
+) -> dict[str, Any] | None:
+    """Half and four fifths of the designs at each level that enough of them came to, in groups of
+    designs by the pressure that a strain takes."""
+    entries = sorted(entries, key=stiffness)
+    count = max((n for n, least in GROUPS.items() if len(entries) >= least), default=1)
+    parts = np.array_split(np.arange(len(entries)), count)
+    found = [_group(family, rung, [entries[k] for k in part.tolist()]) for part in parts]
+    known = [group for group in found if group is not None]
+    if len(known) < count:
         return None
-    table = np.array(errors)
+    return {"source": f"{len(entries)} random designs against {source}", "groups": known}
+
+
+def stiffness(entry: Entry) -> float:
+    """Pressure over strain in the linear cell [kPa]."""
+    return entry["pressure_kPa"][-1] / entry["strain"][-1]
+
+
+def _group(family: str, rung: str, entries: Sequence[Entry]) -> dict[str, Any] | None:
+    if not entries:
+        return None
+    table = np.array([read_off(entry, rung) for entry in entries])
     there = np.isfinite(table).sum(axis=0) >= FEWEST
     if there.sum() < 2:
         return None
     half, most = np.nanquantile(table[:, there], [0.5, 0.8], axis=0)
     return {
+        "pressure_per_strain_kPa": _short(float(np.median([stiffness(e) for e in entries])), 3),
         "strain": [_short(x, 2) for x in levels(family)[there]],
         "half_below_percent": [_short(100 * x, 2) for x in half],
         "four_of_five_below_percent": [_short(100 * x, 2) for x in most],
-        "source": f"{len(errors)} random designs against {source}",
     }
 
 
@@ -173,36 +196,66 @@ def write(entries: Sequence[Entry]) -> None:
     source = f"{REFERENCE}, {date.today()}"
     for rung in JUDGED:
         for family in FAMILIES:
-            known = [read_off(e, rung) for e in entries if e["family"] == family and "errors" in e]
-            entry = quantiles(family, known, source)
+            known = [e for e in entries if e["family"] == family and len(e.get("strain", ())) > 1]
+            entry = quantiles(family, rung, known, source)
             if entry is None:
                 print(f"{rung}, {family}: too few answers ({len(known)})")
                 continue
             document["rungs"][rung][family] = entry
             _print(rung, family, entry)
     TABLE.write_text(_compact(document) + "\n", encoding="utf-8")
+    head, _, rest = PAGE.read_text().partition(BEGIN)
+    _, _, tail = rest.partition(END)
+    PAGE.write_text(f"{head}{BEGIN}\n{markdown(entries, document['rungs']['energy'])}{END}{tail}")
+
+
+def markdown(entries: Sequence[Entry], families: dict[str, dict[str, Any]]) -> str:
+    """What the energy rung is off by, as a table for docs/ladder.md."""
+    lines = [
+        "| energy rung | designs | pressure per strain, kPa | at a strain of | half below "
+        "| four of five below |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for family in FAMILIES:
+        count = sum(e["family"] == family and len(e.get("strain", ())) > 1 for e in entries)
+        for group in families[family]["groups"]:
+            shown = (0, len(group["strain"]) // 2, len(group["strain"]) - 1)
+            cells = [
+                " / ".join(f"{scale * group[name][k]:.2g}" for k in shown) + " %"
+                for name, scale in (
+                    ("strain", 100), ("half_below_percent", 1), ("four_of_five_below_percent", 1)
+                )
+            ]  # fmt: skip
+            stiff = f"{group['pressure_per_strain_kPa']:.3g}"
+            lines.append(f"| {family} | {count} | {stiff} | {' | '.join(cells)} |")
+    passed = [e for e in entries if len(e.get("strain", ())) < 2]
+    lines.append(f"\nPassed over, because cell-rod gave no answer: {len(passed)} designs.")
+    return "\n".join(lines) + "\n"
 
 
 def _print(rung: str, family: str, entry: dict[str, Any]) -> None:
     columns = ("strain", "half_below_percent", "four_of_five_below_percent")
-    rows = zip(*(entry[name] for name in columns), strict=True)
-    cells = "; ".join(f"{100 * s:.3g} %: {h:.2g} / {m:.2g} %" for s, h, m in rows)
-    print(f"{rung}, {family} ({entry['source']}): {cells}")
+    print(f"{rung}, {family} ({entry['source']})")
+    for group in entry["groups"]:
+        rows = zip(*(group[name] for name in columns), strict=True)
+        cells = "; ".join(f"{100 * s:.3g} %: {h:.2g} / {m:.2g} %" for s, h, m in rows)
+        print(f"  {group['pressure_per_strain_kPa']:.3g} kPa per strain: {cells}")
 
 
 def _compact(document: dict[str, Any]) -> str:
-    """One line per list."""
-    lines = ["{", ' "rungs": {']
-    rungs = list(document["rungs"].items())
-    for r, (rung, families) in enumerate(rungs):
-        lines.append(f'  "{rung}": {{')
-        for f, (family, entry) in enumerate(families.items()):
-            lines.append(f'   "{family}": {{')
-            parts = [f"    {json.dumps(key)}: {json.dumps(value)}" for key, value in entry.items()]
-            lines.append(",\n".join(parts))
-            lines.append("   }" + ("," if f < len(families) - 1 else ""))
-        lines.append("  }" + ("," if r < len(rungs) - 1 else ""))
-    return "\n".join([*lines, " }", "}"])
+    """One line per group."""
+    rungs = []
+    for rung, families in document["rungs"].items():
+        told = []
+        for family, entry in families.items():
+            groups = ",\n     ".join(json.dumps(group) for group in entry["groups"])
+            source = json.dumps(entry["source"])
+            told.append(
+                f'   "{family}": {{\n    "source": {source},\n    "groups": [\n     {groups}\n'
+                "    ]\n   }"
+            )
+        rungs.append(f'  "{rung}": {{\n' + ",\n".join(told) + "\n  }")
+    return '{\n "rungs": {\n' + ",\n".join(rungs) + "\n }\n}"
 
 
 def draw(entries: Sequence[Entry]) -> None:
@@ -214,6 +267,7 @@ def draw(entries: Sequence[Entry]) -> None:
     from matplotlib import pyplot
     from matplotlib.collections import LineCollection
     from matplotlib.colors import LogNorm
+    from matplotlib.ticker import LogLocator, NullFormatter
 
     figure, axes = pyplot.subplots(2, 2, figsize=(10, 7.5), layout="constrained")
     shades = LogNorm(0.01, 1.0)
@@ -234,12 +288,15 @@ def draw(entries: Sequence[Entry]) -> None:
         axis.set(xscale="log", yscale="log", title=f"{family}, {len(own)} designs")
         axis.autoscale()
         axis.set(xlabel="largest strain of the linear cell", ylabel="pressure, kPa")
-        axis.xaxis.set_major_formatter(lambda x, _: f"{100 * x:g} %")
-        axis.yaxis.set_major_formatter(lambda x, _: f"{x:g}")
+        for each, shown in ((axis.xaxis, lambda x, _: f"{100 * x:.2g} %"),
+                            (axis.yaxis, lambda x, _: f"{x:g}")):  # fmt: skip
+            each.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            each.set_major_formatter(shown)
+            each.set_minor_formatter(NullFormatter())
     assert drawn is not None
     bar = figure.colorbar(drawn, ax=axes, label="error of the tip's displacement", shrink=0.8)
     bar.set_ticks([0.01, 0.03, 0.1, 0.3, 1.0], labels=["1 %", "3 %", "10 %", "30 %", "100 %"])
-    figure.savefig(PICTURE, dpi=90)
+    figure.savefig(PICTURE, dpi=80)
 
 
 def _part(text: str) -> tuple[int, int]:

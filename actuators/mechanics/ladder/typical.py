@@ -1,8 +1,9 @@
-"""How far off an instant rung typically is, by family and by the strain it is asked to reach.
+"""How far off an instant rung typically is: a map over strain and pressure for each family.
 
 ``typical_errors.json`` holds quantiles of the error of the tip's displacement over random designs,
-by the largest strain of the linear cell. ``python -m benchmarks.instant_error`` measures it; the
-file says against what.
+by the largest strain of the linear cell and, where enough designs were measured, by the pressure
+that such a strain takes: a stiff design at the same strain is off by another amount than a soft
+one. ``python -m benchmarks.instant_error`` measures it; the file says against what.
 """
 
 import json
@@ -46,38 +47,70 @@ class ErrorCurve:
         return Typical(value(self.half), value(self.most), self.source)
 
 
+@dataclass(frozen=True)
+class ErrorMap:
+    """Curves of designs by their ``stiffness``, the pressure over the strain that it makes in the
+    linear cell [Pa], ascending: of as many groups of designs, each at its middle one."""
+
+    stiffness: tuple[float, ...]
+    curves: tuple[ErrorCurve, ...]
+
+    def at(self, strain: float, stiffness: float) -> Typical | None:
+        """Between the groups linear in the logarithms, beyond the first and last as there."""
+        found = [curve.at(strain) for curve in self.curves]
+        known = [each for each in found if each is not None]
+        if len(known) < len(found):
+            return None
+        where = math.log(min(max(stiffness, self.stiffness[0]), self.stiffness[-1]))
+
+        def value(levels: list[float]) -> float:
+            return math.exp(float(np.interp(where, np.log(self.stiffness), np.log(levels))))
+
+        half, most = value([t.half for t in known]), value([t.most for t in known])
+        return Typical(half, most, known[0].source)
+
+
 @cache
-def error_curves() -> Mapping[tuple[str, str], ErrorCurve]:
-    """Curves by (rung, family) as shipped."""
-    return read_curves(
+def error_maps() -> Mapping[tuple[str, str], ErrorMap]:
+    """Maps by (rung, family) as shipped."""
+    return read_maps(
         json.loads((files("actuators.mechanics.ladder") / FILE).read_text(encoding="utf-8"))
     )
 
 
-def read_curves(document: Mapping[str, Any]) -> Mapping[tuple[str, str], ErrorCurve]:
-    """Curves from their document (percent)."""
-
-    def fractions(values: list[float]) -> tuple[float, ...]:
-        return tuple(value / 100 for value in values)
-
+def read_maps(document: Mapping[str, Any]) -> Mapping[tuple[str, str], ErrorMap]:
+    """Maps from their document (percent, kPa)."""
     return {
-        (rung, family): ErrorCurve(
-            tuple(entry["strain"]),
-            fractions(entry["half_below_percent"]),
-            fractions(entry["four_of_five_below_percent"]),
-            entry["source"],
-        )
+        (rung, family): _map(entry)
         for rung, families in document["rungs"].items()
         for family, entry in families.items()
     }
 
 
+def _map(entry: Mapping[str, Any]) -> ErrorMap:
+    def fractions(values: list[float]) -> tuple[float, ...]:
+        return tuple(value / 100 for value in values)
+
+    return ErrorMap(
+        tuple(1e3 * group["pressure_per_strain_kPa"] for group in entry["groups"]),
+        tuple(
+            ErrorCurve(
+                tuple(group["strain"]),
+                fractions(group["half_below_percent"]),
+                fractions(group["four_of_five_below_percent"]),
+                entry["source"],
+            )
+            for group in entry["groups"]
+        ),
+    )
+
+
 def typical_at(rung: str, design: Design, strain: float) -> Typical | None:
     """Typical error of ``rung`` for a design's family at a largest ``strain`` of its linear cell;
     None where nothing is known."""
-    curves = error_curves()
-    curve = curves.get((rung, design.family)) or curves.get((rung, "any"))
-    return None if curve is None else curve.at(strain)
+    maps = error_maps()
+    found = maps.get((rung, design.family)) or maps.get((rung, "any"))
+    return None if found is None else found.at(strain, 1.0 / chamber_row(design).largest_strain)
 
 
 def typical_error(design: Design, response: Response) -> tuple[Typical | None, ...]:

@@ -18,7 +18,7 @@ from actuators.mechanics.ladder import (
     typical_at,
     typical_error,
 )
-from actuators.mechanics.ladder.typical import ErrorCurve
+from actuators.mechanics.ladder.typical import ErrorCurve, ErrorMap
 from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.predict import predict
 from actuators.mechanics.scene import Scene
@@ -100,9 +100,22 @@ def test_typical_errors_are_interpolated_between_levels_and_end_where_nobody_mea
     assert curve.at(0.2) is None
 
 
+def test_between_soft_and_stiff_designs_typical_errors_are_interpolated() -> None:
+    soft = ErrorCurve((0.01, 0.1), (0.02, 0.02), (0.4, 0.4), "here")
+    stiff = ErrorCurve((0.01, 0.1), (0.02, 0.02), (0.1, 0.1), "here")
+    both = ErrorMap((1e4, 1e6), (soft, stiff))
+    between = both.at(0.05, 1e5)
+    assert between is not None
+    assert (between.half, between.most) == pytest.approx((0.02, 0.2))
+    assert both.at(0.05, 1.0) == soft.at(0.05)
+    assert both.at(0.05, 1e9) == stiff.at(0.05)
+    assert both.at(0.5, 1e5) is None
+
+
 def test_typical_errors_of_the_energy_rung_grow_along_its_path() -> None:
-    response = predict(SLAB, Scene(6e3, steps=6))
-    found = typical_error(SLAB, response)
+    bellows = preset("bellows-9-1.6").design
+    response = predict(bellows, Scene(60e3, steps=6))
+    found = typical_error(bellows, response)
     assert len(found) == len(response.path)
     most = [each.most for each in found if each is not None]
     assert len(most) > 3
