@@ -16,9 +16,14 @@ chamber that runs away takes less from the others; a path that goes on back is a
 
 
 def fill(
-    tracer: Tracer, history: list[Equilibrium], volume_to: float, stops: list[float] | None
+    tracer: Tracer,
+    history: list[Equilibrium],
+    begun: Equilibrium,
+    volume_to: float,
+    stops: list[float] | None,
 ) -> list[Equilibrium]:
-    """States from ``history`` on the way to ``volume_to`` [m3]: at ``stops``, or every one."""
+    """States from ``history`` on the way to ``volume_to`` [m3]: at ``stops``, or every one;
+    ``begun``: the path's first state."""
     path, first = tracer.path, history[-1]
     way = volume_to - first.volume
     step = FIRST_VOLUME_STEP * abs(way)
@@ -27,7 +32,9 @@ def fill(
     else:
         step = min(step, tracer.first_volume(first))
     sign = math.copysign(1.0, way)
-    walk = Walk(tracer.system, tracer.solve, history, sign * step)
+    walk = Walk(tracer.system, tracer.solve, history, sign * step, leaping=True)
+    if len(history) > 1 and sign * (first.volume - history[-2].volume) < 0:
+        walk.take_up_turned()
     visited: list[Equilibrium] = []
     farthest = first.volume
     for _ in range(MOST_STEPS):
@@ -39,17 +46,19 @@ def fill(
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
             if last is not first and (not visited or visited[-1] is not last):
                 visited.append(last)  # how far it came, also where only some volumes are reported
-                path.by_arc += walk.by_arc
+                path.by_arc += walk.past_volume or bool(path.leaps)
             return visited
+        if walk.leapt:
+            path.leaps.append((last, found))
         if path.limit is None and sign * (found.pressure - last.pressure) < 0:
-            top = tracer.summit(walk.trail, sign)
+            top = last if walk.leapt else tracer.summit(walk.trail, sign)
             # where the path has leapt to another branch, there is no maximum between its states
             path.limit = top if sign * (top.pressure - last.pressure) >= 0 else last
             if stops is None and path.limit is not last:
                 _insert(visited, path.limit, last, sign)
         tracer.told(found)
         farthest = sign * max(sign * farthest, sign * found.volume)
-        if sign * (farthest - found.volume) > TURNED_BACK * sign * (farthest - first.volume):
+        if sign * (farthest - found.volume) > TURNED_BACK * sign * (farthest - begun.volume):
             path.outcome = Outcome.STALLED
             path.reason = "the volume turns back for good: a chamber has run away"
             visited.append(found)
@@ -58,7 +67,7 @@ def fill(
         reached = walk.arrived
         if stops is None or reached:
             visited.append(found)
-            path.by_arc += walk.by_arc
+            path.by_arc += walk.past_volume or bool(path.leaps)
         if reached and stops:
             stops.pop(0)
         if reached and not stops:

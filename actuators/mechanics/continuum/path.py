@@ -52,9 +52,18 @@ class PathFollower:
             path.points += self._continue([start], start, goal)
         return path
 
-    def resume(self, history: Sequence[Equilibrium], first: Equilibrium, goal: Goal) -> Path:
-        """The rest of a path that began with ``first`` and whose last states are ``history``; only
-        new points are returned."""
+    def resume(
+        self,
+        history: Sequence[Equilibrium],
+        first: Equilibrium,
+        goal: Goal,
+        *,
+        limit: Equilibrium | None = None,
+    ) -> Path:
+        """The rest of a path that began with ``first``, whose last states are ``history``, and that
+        has passed the pressure's first maximum ``limit`` if it has; only new points are
+        returned."""
+        self._tracer.path.limit = limit
         self._tracer.path.points = self._continue(list(history), first, goal)
         return self._tracer.path
 
@@ -73,5 +82,5 @@ class PathFollower:
         stops = goal.left(first, last)
         self._tracer.path.by_volume = goal.by_volume
         if goal.by_volume:
-            return fill(self._tracer, history, goal.value, stops)
+            return fill(self._tracer, history, first, goal.value, stops)
         return inflate(self._tracer, history, goal.value, stops)

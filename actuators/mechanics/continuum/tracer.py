@@ -33,6 +33,7 @@ class Path:
     the proof that the pressure falls there. ``limit``: the first maximum of the pressure (of
     suction, a minimum) met on the way. ``by_volume``: whether a volume was the goal. ``by_arc``:
     how many of the last points need arc length, where volume control no longer leads on.
+    ``leaps``: states between which the path goes over to another branch, each before and after.
     ``loads``: share of weight and outer loads that could be put on; below 1 the path ends there,
     in its only point."""
 
@@ -43,6 +44,7 @@ class Path:
     limit: Equilibrium | None = None
     by_volume: bool = False
     by_arc: int = 0
+    leaps: list[tuple[Equilibrium, Equilibrium]] = field(default_factory=list)
     loads: float = 1.0
     iterations: int = 0
 

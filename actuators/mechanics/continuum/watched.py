@@ -4,8 +4,6 @@ need on the way is switched on, and the path goes on from the last state before.
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from actuators.geometry import Body
 from actuators.mechanics.continuum.climb import SHARE_OF_PATH, Climb
 from actuators.mechanics.continuum.goal import Goal
@@ -67,12 +65,13 @@ class WatchedRun:
                 self._begin(level)
                 path = follower.reach(self._goal)
             else:
-                path = _joined(done, follower.resume(before, done.points[0], self._goal))
+                rest = follower.resume(before, done.points[0], self._goal, limit=done.limit)
+                path = joined(done, rest)
             if guard.alarm is None or guard.at is None:
                 return level, path
             self._switch_on(guard.alarm.name, guard.alarm.seen, guard.at.pressure)
             before = guard.before
-            done = _until(path, guard.at)
+            done = until(path, guard.at, before)
 
     def _watched(self) -> list[str]:
         return [name for name in WATCHED if self.plan.watched(name)]
@@ -122,24 +121,30 @@ class WatchedRun:
         self._monitor.report(SHARE_OF_PATH * share, message, pressure)
 
 
-def _until(path: Path, at: Equilibrium) -> Path:
-    """The part of a path before the state ``at``, in the direction of its volumes."""
-    points = path.points
-    if len(points) < 2:
-        return replace(path, points=[p for p in points if p is not at])
-    sign = np.sign(at.volume - points[0].volume) or 1.0
-    kept = [p for p in points if p is not at and sign * (at.volume - p.volume) > 0.0]
+def until(path: Path, at: Equilibrium, before: Sequence[Equilibrium]) -> Path:
+    """The part of a path up to the last of the states ``before`` the state ``at``, from which it is
+    to go on. By their order: where the volume turns back, volumes tell nothing."""
+    points = list(path.points)
+    ends = [k for k, point in enumerate(points) if point is at]
+    kept = points[: ends[0]] if ends else points
+    if before:
+        last = [k for k, point in enumerate(kept) if point is before[-1]]
+        kept = kept[: last[0] + 1] if last else kept
     limit = path.limit
-    if limit is not None and sign * (at.volume - limit.volume) <= 0.0:
-        limit = None
-    return replace(path, points=kept, limit=limit, beyond=None, by_arc=0)
+    if limit is not None and any(point is limit for point in points):
+        limit = limit if any(point is limit for point in kept) else None
+    by_arc = max(0, path.by_arc - (len(points) - len(kept)))
+    leaps = [leap for leap in path.leaps if any(point is leap[1] for point in kept)]
+    return replace(path, points=kept, limit=limit, beyond=None, by_arc=by_arc, leaps=leaps)
 
 
-def _joined(first: Path, rest: Path) -> Path:
+def joined(first: Path, rest: Path) -> Path:
     """``first`` and what was found after it."""
     return replace(
         rest,
         points=[*first.points, *rest.points],
         limit=first.limit or rest.limit,
+        leaps=[*first.leaps, *rest.leaps],
         iterations=first.iterations + rest.iterations,
+        by_arc=first.by_arc + len(rest.points) if first.by_arc else rest.by_arc,
     )

@@ -1,5 +1,6 @@
 """Scenes that prescribe the cavity's volume, or suction, answered as a whole."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -83,3 +84,63 @@ def test_a_roof_drawn_onto_the_floor_is_held_by_it() -> None:
     assert through.outcome is Outcome.STALLED
     assert "walls of the cavity run through each other" in (through.advice or "")
     assert 0.1 * rest < (through.path[-1].cavity_volume or 0.0) < 0.4 * rest
+
+
+@pytest.fixture(scope="module")
+def drained() -> dict[float, Response]:
+    """Eleven chambers drained to some volumes [ml]; one after the other snaps through."""
+    design = preset("slab-rectangle-low").design
+    return {ml: solve(design, Scene(volume_to=1e-6 * ml), mesh="coarse") for ml in (7.0, 6.5, 5.0)}
+
+
+def _ml(response: Response) -> np.ndarray:
+    return np.array([1e6 * (point.cavity_volume or 0.0) for point in response.path])
+
+
+def _kpa(response: Response) -> np.ndarray:
+    return np.array([point.pressure / 1e3 for point in response.path])
+
+
+@pytest.mark.slow
+def test_a_path_to_a_volume_does_not_depend_on_where_it_is_to_end(
+    drained: dict[float, Response],
+) -> None:
+    """Contact switches itself on where the volume has turned back twice. The way there stays part
+    of the path: its extreme of suction, its first passage of 7 ml, its turn."""
+    assert all(found.outcome is Outcome.CONVERGED for found in drained.values())
+    near, far = drained[6.5], drained[5.0]
+    assert near.limit_pressure == pytest.approx(far.limit_pressure, rel=1e-4)
+    # 7 ml lies just beyond the extreme, where the pressure hardly changes
+    assert drained[7.0].path[-1].pressure == pytest.approx(near.limit_pressure, rel=1e-3)
+    turns = []
+    for found in (near, far):
+        volume = _ml(found)
+        back = int(np.flatnonzero(np.diff(volume) > 0)[0])
+        turns.append(volume[back])
+        assert (np.diff(volume)[:back] < 0).all()
+        # no volume is told twice at the place where contact was switched on
+        states = np.column_stack([volume, _kpa(found)])
+        assert np.abs(np.diff(states, axis=0)).max(axis=1).min() > 1e-5
+    assert turns[0] == pytest.approx(turns[1], rel=1e-3)
+    # beyond both turns: 6.5 ml on the way to 5 ml
+    volume, pressure = _ml(far), _kpa(far)
+    last = int(np.flatnonzero(volume > 6.5)[-1])
+    there = np.interp(6.5, volume[[last + 1, last]], pressure[[last + 1, last]])
+    assert near.path[-1].pressure / 1e3 == pytest.approx(there, rel=5e-3)
+
+
+@pytest.mark.slow
+def test_where_a_path_leaps_its_note_names_the_states_on_either_side(
+    drained: dict[float, Response],
+) -> None:
+    """At 6.57 ml a branch ends: one path may snap over where another follows it round."""
+    for found in drained.values():
+        told = {
+            (f"{ml:.4g} ml", f"{kpa:.3g} kPa")
+            for ml, kpa in zip(_ml(found), _kpa(found), strict=True)
+        }
+        for note in found.notes:
+            if "another branch" in note:
+                ends = re.findall(r"([0-9.]+ ml) \((-[0-9.]+ kPa)\)", note)
+                assert len(ends) == 2
+                assert set(ends) <= told

@@ -1,13 +1,23 @@
 """Volume control, suction and arc length: past the limit points of pressure, then of volume."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from actuators.geometry import CAVITY, Body, Region
 from actuators.materials import HyperelasticLaw, Material, MooneyRivlin, NeoHooke
+from actuators.mechanics.continuum.findings import path_notes
 from actuators.mechanics.continuum.goal import Goal
-from actuators.mechanics.continuum.newton import Equilibrium, solve_equilibrium
+from actuators.mechanics.continuum.newton import (
+    Equilibrium,
+    Failure,
+    Target,
+    solve_equilibrium,
+)
 from actuators.mechanics.continuum.path import Path, PathFollower
+from actuators.mechanics.continuum.state import State
 from actuators.mechanics.continuum.system import ContinuumSystem, clamped
 from actuators.mechanics.continuum.walk import Walk
 from actuators.mechanics.direct_solver import open_solver
@@ -167,3 +177,72 @@ def test_a_goal_already_reached_adds_nothing() -> None:
     path = reach(system, Goal(rest_volume(system), by_volume=True))
     assert len(path.points) == 1
     assert path.outcome is Outcome.CONVERGED
+
+
+class TwoBranches:
+    """Volume v on a branch that ends at 1, and on one beyond it: one unknown, which is v, moved by
+    0.5 on the other branch."""
+
+    mesh = SimpleNamespace(nodes=np.array([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0]]))
+
+    @staticmethod
+    def state(volume: float, aside: float) -> State:
+        return State(np.array([[volume, aside, 0.0]]), np.zeros((0, 4)))
+
+    def onward(self, before: State, last: State, ratio: float) -> State:
+        change = last.displacement - before.displacement
+        return State(last.displacement + ratio * change, last.pressure)
+
+    def unknowns_of(self, state: State) -> np.ndarray:
+        return state.displacement.ravel()
+
+    def solve(self, start: State, target: Target) -> Equilibrium | Failure:
+        """Volumes just beyond the end are not found; farther ones cost many tangents."""
+        volume = target.volume
+        if volume is None or 0.95 < volume < 1.0:
+            return Failure("nothing there", 12)
+        near = volume >= 1.0 and start.displacement[0, 1] < 0.25
+        state = self.state(volume, 0.0 if near else 0.5)
+        settled = near or start.displacement[0, 1] > 0.25
+        return Equilibrium(state, -2.0 + volume, volume, 2 if settled else 9, 0)
+
+
+def test_where_a_branch_ends_a_walk_leaps_to_the_one_it_met() -> None:
+    system = TwoBranches()
+    trail = [Equilibrium(system.state(v, 0.0), v - 2.0, v, 2, 0) for v in (1.6, 1.5)]
+
+    def walk(*, leaping: bool) -> list[tuple[Equilibrium | None, bool]]:
+        walk = Walk(system, system.solve, trail, -0.1, leaping=leaping)  # type: ignore[arg-type]
+        found: list[tuple[Equilibrium | None, bool]] = []
+        while not found or (found[-1][0] is not None and found[-1][0].volume > 0.6):
+            found.append((walk.advance(0.6), walk.leapt))
+        return found
+
+    *_, (end, _) = walk(leaping=False)
+    assert end is None, "under given pressure there is nothing to leap to"
+    found = walk(leaping=True)
+    leaps = [k for k, (_, leapt) in enumerate(found) if leapt]
+    assert len(leaps) == 1
+    before, after = found[leaps[0] - 1][0], found[leaps[0]][0]
+    assert before is not None
+    assert after is not None
+    assert 1.0 <= before.volume < 1.01
+    assert 0.8 < after.volume <= 0.95
+    assert after.state.displacement[0, 1] == 0.5
+    last = found[-1][0]
+    assert last is not None
+    assert last.volume == pytest.approx(0.6, abs=1e-12)
+
+
+def test_a_leap_is_told_with_the_states_on_either_side() -> None:
+    system = TwoBranches()
+    one, other = (
+        Equilibrium(system.state(v, 0.0), p, v, 2, 0)
+        for v, p in ((6.58e-6, -4.24e3), (6.557e-6, -4.098e3))
+    )
+    path = Path([one, other], by_volume=True, leaps=[(one, other)])
+    (note,) = path_notes(path, 1.0)
+    assert "At 6.58 ml (-4.24 kPa)" in note
+    assert "6.557 ml (-4.1 kPa)" in note
+    assert "another branch" in note
+    assert path_notes(replace(path, leaps=[]), 1.0) == []
