@@ -15,7 +15,7 @@ from sqlalchemy import Connection, and_, func, or_, select, update
 from storage import tables
 from storage.body_files import BodyFiles
 from storage.jobs import jobs_where
-from storage.question import question_digest
+from storage.question import Failure, question_digest
 from storage.results import closed_result
 from storage.rows import ClaimedJob, Hold, JobRow, ResultRow
 from storage.submission import Submission
@@ -138,12 +138,15 @@ class Claims(Submission):
             self._close_done(connection, found[0], answer.document)
             return True
 
-    def fail(self, job_id: str, attempt: int, error: str) -> bool:
-        """Close a job whose question cannot be answered; ``error`` is for the designer."""
+    def fail(
+        self, job_id: str, attempt: int, error: str, *, why: Failure = "failed",
+        advice: str | None = None,
+    ) -> bool:  # fmt: skip
+        """Close a job without an answer; ``error`` and ``advice`` are for the designer."""
         with self._write() as connection:
             if not jobs_where(connection, _held(job_id, attempt)):
                 return False
-            self._close_failed(connection, job_id, error)
+            self._close_failed(connection, job_id, error, why, advice)
             return True
 
     def confirm_cancel(
@@ -247,7 +250,8 @@ class Claims(Submission):
             self._close_failed(
                 connection, job.id,
                 f"The worker was lost {losses} times while computing this{at}; most often it "
-                "ran out of memory. Ask for a coarser accuracy, or look into the worker's log.",
+                "ran out of memory.", "worker_lost",
+                "Ask for a coarser accuracy or mesh, or look into the worker's log.",
             )  # fmt: skip
         else:
             self._change_job(
@@ -267,10 +271,12 @@ class Claims(Submission):
             cancel_requested=False, **more,
         )  # fmt: skip
 
-    def _close_failed(self, connection: Connection, job_id: str, error: str) -> None:
+    def _close_failed(
+        self, connection: Connection, job_id: str, error: str, why: Failure, advice: str | None
+    ) -> None:
         self._change_job(
-            connection, job_id, state="failed", message="Failed", error=error, lease_until=None,
-            finished_at=self._now(connection),
+            connection, job_id, state="failed", message="Failed", error=error, outcome=why,
+            advice=advice, lease_until=None, finished_at=self._now(connection),
         )  # fmt: skip
 
 

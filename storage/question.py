@@ -7,6 +7,7 @@ import re
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
+from typing import Literal
 
 from actuators.errors import QuestionError
 
@@ -15,6 +16,9 @@ JOB_RUNGS = ("fe", "cell-rod", "energy", "closed-form")
 DEFAULT_BUDGET_S = 2 * 3600.0
 # what leaves the answer open: such a result is shown, but the same question is computed again
 OPEN_OUTCOMES = ("cancelled", "budget_spent")
+# how a job ends without any answer: the question cannot be solved, the solver broke down, its
+# workers vanished, or not even one step fitted into the time
+Failure = Literal["refused", "failed", "worker_lost", "budget_spent"]
 
 _SCIENCE = ("design", "materials", "geometry", "meshing", "mechanics")
 # predicts what answers cost, and decides none

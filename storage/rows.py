@@ -57,6 +57,8 @@ class JobRow:
     ``digest`` names the question and, once done, its result (:meth:`Store.get_result`).
     ``from_store``: answered by a result that another job had computed. ``follows``: the job that
     computes the same question for another version. ``lost``: attempts whose worker vanished.
+    ``outcome``: how the answer ended, of a job that failed why there is none
+    (:data:`storage.question.Failure`).
     """
 
     id: str

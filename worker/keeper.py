@@ -121,7 +121,12 @@ class Keeper:
         elif self.stop == "budget":
             self._store.fail(
                 self._job.id, self._job.attempt,
-                f"The time budget of {self._job.budget_s / 60:.0f} min was spent within one step. "
-                "Ask for a coarser accuracy.",
+                f"The time budget of {budget(self._job)} was spent within one step.",
+                why="budget_spent", advice="Ask for a coarser accuracy or mesh.",
             )  # fmt: skip
         self._end_process(1)
+
+
+def budget(job: ClaimedJob) -> str:
+    """The job's time budget to read."""
+    return f"{job.budget_s:.0f} s" if job.budget_s < 90 else f"{job.budget_s / 60:.0f} min"

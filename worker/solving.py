@@ -14,10 +14,11 @@ from storage import BodyFiles, ClaimedJob, Store, StoreAway
 from storage.body_files import BODY_FILES_AT_MOST
 from storage.question import science_version
 from storage.response_arrays import pack
-from worker.keeper import Keeper, Stop
+from worker.keeper import Keeper, Stop, budget
 from worker.rungs import RUNGS, Solved
 
 _logger = logging.getLogger(__name__)
+_AFTER_A_BREAKDOWN = "Run it again with a slightly different design or mesh. The worker's log has the details of job "
 _INSIST_S = (1.0, 2.0, 4.0, 8.0, 15.0, 30.0)
 T = TypeVar("T")
 
@@ -47,17 +48,20 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
             response = _part_found(response, job, keeper.stop)
         document, arrays = response.to_document(), pack(response)
     except InputError as error:
-        message = str(error)
+        message, mend = str(error), error.mend
+        return lambda: _insist(
+            lambda: store.fail(job.id, job.attempt, message, why="refused", advice=mend)
+        )
     except Exception as error:
         _logger.exception("job %s: the solver failed", job.id)
-        message = f"The solver failed ({type(error).__name__}: {str(error)[:200]}). "
-        message += f"The worker's log has the details of job {job.id}."
-    else:
-        keeper.solved()
-        close = store.confirm_cancel if response.outcome is Outcome.CANCELLED else store.finish
-        files = _body_files(job, solved)
-        return lambda: _insist(lambda: close(job.id, job.attempt, document, arrays, files))
-    return lambda: _insist(lambda: store.fail(job.id, job.attempt, message))
+        message = f"The solver broke down ({type(error).__name__}: {str(error)[:200]})."
+        return lambda: _insist(
+            lambda: store.fail(job.id, job.attempt, message, advice=_AFTER_A_BREAKDOWN + job.id)
+        )
+    keeper.solved()
+    close = store.confirm_cancel if response.outcome is Outcome.CANCELLED else store.finish
+    files = _body_files(job, solved)
+    return lambda: _insist(lambda: close(job.id, job.attempt, document, arrays, files))
 
 
 def _body_files(job: ClaimedJob, solved: Solved) -> BodyFiles | None:
@@ -96,7 +100,7 @@ def _part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Respo
         )
     return replace(
         response, outcome=Outcome.BUDGET_SPENT,
-        advice=f"The time budget of {job.budget_s / 60:.0f} min was spent; this is the part of "
+        advice=f"The time budget of {budget(job)} was spent; this is the part of "
         "the path found by then. Ask for a coarser accuracy or a lower pressure.",
     )  # fmt: skip
 

@@ -116,7 +116,12 @@ def _read_jobs(store: Store, design: Design, scene: Scene, known: _Known) -> Non
         if row.active:
             known.jobs.setdefault(rung, row.id)
         elif row.science_version == science_version() and rung not in answered and row.error:
-            known.refusals.setdefault(rung, row.error)
+            known.refusals.setdefault(rung, _in_words(row.error, row.advice))
+
+
+def _in_words(error: str, advice: str | None) -> str:
+    """Messages of refusals hold their mend already."""
+    return error if not advice or advice.rstrip(".") in error else f"{error} {advice}"
 
 
 def _rung(row: ResultRow | JobRow) -> Rung:

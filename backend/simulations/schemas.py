@@ -182,7 +182,10 @@ class Job(Answer):
     )
     pressure_kPa: float | None = Field(description="How far the solver is [kPa]")
     state: JobState
-    outcome: str | None = Field(description="Of the answer, as in a result document")
+    outcome: str | None = Field(
+        description="Of the answer, as in a result document; of a failed job why there is none: "
+        "refused, failed, worker_lost or budget_spent"
+    )
     has_answer: bool = Field(
         description="Whether there is a result to read and to show; of a cancelled job it is the "
         "part of the path that was found by then"

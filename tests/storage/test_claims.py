@@ -115,6 +115,9 @@ def test_a_lost_worker_is_counted_apart_and_ends_the_job_at_the_third_time(
     assert row.error is not None
     assert "lost 3 times" in row.error
     assert "12 kPa" in row.error
+    assert row.outcome == "worker_lost"
+    assert row.advice is not None
+    assert not row.has_answer
 
 
 def test_a_worker_that_leaves_in_order_is_not_counted(store: Store, job: JobRow) -> None:
@@ -128,9 +131,12 @@ def test_a_worker_that_leaves_in_order_is_not_counted(store: Store, job: JobRow)
 
 def test_a_failure_is_final_and_says_why(store: Store, job: JobRow) -> None:
     taken = claim(store, job)
-    assert store.fail(job.id, taken.attempt, "An element has no volume.")
+    mend = "Thicken the wall."
+    error = "An element has no volume."
+    assert store.fail(job.id, taken.attempt, error, why="refused", advice=mend)
     row = store.get_job(job.id)
-    assert (row.state, row.error, row.lost) == ("failed", "An element has no volume.", 0)
+    assert (row.state, row.error, row.lost) == ("failed", error, 0)
+    assert (row.outcome, row.advice, row.has_answer) == ("refused", mend, False)
     assert store.sweep() == []
 
 

@@ -89,7 +89,9 @@ def test_a_solver_that_does_not_listen_is_ended_and_the_worker_goes_on(running: 
 
 def test_a_solver_that_raises_fails_the_job_with_a_reason(running: Queue) -> None:
     row = running.wait(running.ask(9, rung="fe"))
-    assert row.state == "failed"
+    assert (row.state, row.outcome) == ("failed", "failed")
+    assert row.advice is not None
+    assert row.id in row.advice
     assert row.error is not None
     assert "an element has no volume" in row.error
     assert "Traceback" not in row.error

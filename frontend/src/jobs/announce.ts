@@ -2,11 +2,12 @@
 import { onJobEnd } from "../api/live";
 import type { Job } from "../api/types";
 import { shownJob } from "../results/shown";
-import { outcomeInWords } from "../results/words";
+import { failureInWords, failureTitle, outcomeInWords } from "../results/words";
 import { dropDrafts } from "../ui/drafts";
 import { showToast } from "../ui/toasts";
 import { setViewer, viewerSettings } from "../viewer/settings";
 import { openVersion } from "../workbench/opening";
+import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 
 function isHere(job: Job): boolean {
@@ -34,7 +35,9 @@ function look(job: Job): void {
 function announce(job: Job): void {
   if (job.state === "cancelled") return;
   if (job.state === "failed") {
-    showToast({ tone: "bad", text: `The job of ${job.design_name} failed: ${job.error ?? "no reason was given."}` });
+    const snapshot = bench.get()?.present;
+    if (isHere(job) && snapshot && !isChanged(snapshot)) return; // said over the 3D view
+    showToast({ tone: "bad", text: `3D FE of ${job.design_name}: ${failureTitle(job)}. ${failureInWords(job)}` });
     return;
   }
   const early = job.outcome !== null && job.outcome !== "converged";

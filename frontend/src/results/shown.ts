@@ -6,6 +6,7 @@ import { Store, usePick, useStore } from "../api/store";
 import type { Job, Result } from "../api/types";
 import { readDesign, sameDesign, type Work } from "../workbench/document";
 import { readLoads, sameButEnd } from "../workbench/loads";
+import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 
 /** A job's id, or the newest answered one of the open version, or none. */
@@ -47,6 +48,14 @@ export function useCandidates(): Job[] {
     if (job.version_id === versionId || known.has(job.id)) known.set(job.id, job);
   }
   return [...known.values()];
+}
+
+/** The newest job of what is on the bench, where it failed: no answer has come after it. */
+export function useFailedJob(): Job | null {
+  const jobs = useCandidates();
+  const unchanged = usePick(bench, (timeline) => timeline !== null && !isChanged(timeline.present));
+  const newest = jobs.reduce<Job | null>((last, job) => (last && last.created_at >= job.created_at ? last : job), null);
+  return unchanged && newest?.state === "failed" ? newest : null;
 }
 
 export function useShownJob(): Job | null {

@@ -62,6 +62,25 @@ export function feLabel(job: Job): string {
   return `FE ${meshOrAccuracy(job)}`;
 }
 
+/** Why a failed job has no answer. */
+const FAILURES: Record<string, { state: string; title: string }> = {
+  refused: { state: "Refused", title: "cannot be solved as it stands" },
+  worker_lost: { state: "Worker lost", title: "given up, its worker was lost again and again" },
+  budget_spent: { state: "Time used up", title: "the allowed time was used up before any point was found" },
+};
+
+/** "3D FE: cannot be solved as it stands" */
+export function failureTitle(job: Pick<Job, "outcome">): string {
+  return FAILURES[job.outcome ?? ""]?.title ?? "the solver broke down";
+}
+
+/** Why a failed job has no answer and what to do; many messages hold their advice already. */
+export function failureInWords(job: Pick<Job, "error" | "advice">): string {
+  const error = job.error ?? "The job failed without a reason.";
+  const advice = job.advice ?? "";
+  return advice === "" || error.includes(advice.replace(/\.$/, "")) ? error : `${error} ${advice}`;
+}
+
 const STATES: Record<Job["state"], string> = {
   queued: "Queued",
   running: "Running",
@@ -74,13 +93,14 @@ export function stateInWords(job: Job): string {
   if (job.state === "running" && job.cancelling) return "Stopping";
   if (job.state === "done" && job.outcome === "limit_point") return "Done, limit point";
   if (job.state === "done" && job.outcome && job.outcome !== "converged") return "Ended early";
+  if (job.state === "failed") return FAILURES[job.outcome ?? ""]?.state ?? STATES.failed;
   if (job.state === "done" && job.from_store) return "Done, from store";
   return STATES[job.state];
 }
 
 /** The sentence under a job: what it does, or why it ended. */
 export function jobSentence(job: Job): string {
-  if (job.state === "failed") return job.error ?? "The job failed without a reason.";
+  if (job.state === "failed") return failureInWords(job);
   if (job.state === "cancelled") {
     if (job.has_answer) return [outcomeInWords("cancelled"), job.advice].filter(Boolean).join(" ");
     return "Cancelled before any point of the path was found.";

@@ -1,16 +1,49 @@
+import { useState } from "react";
+
 import { usePick } from "../api/store";
-import type { Result } from "../api/types";
+import type { Job, Result } from "../api/types";
 import { useDrawn } from "../results/drawn";
-import { useShownFe } from "../results/shown";
-import { earlyEnd } from "../results/words";
+import { useFailedJob, useShownFe } from "../results/shown";
+import { earlyEnd, failureInWords, failureTitle, feLabel } from "../results/words";
+import { IconButton } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { readLoads } from "../workbench/loads";
 import { modelName } from "../workbench/model";
 import { useSource } from "./source";
 import { view } from "./view";
 
-/** Over the 3D view, where the path shown ended early: how far it was found, why, and what to do. */
+/** Over the 3D view: that the newest job found nothing, or where the path shown ended early; how far
+ * it was found, why, and what to do. */
 export function PathEnd() {
+  const failed = useFailedJob();
+  const [read, setRead] = useState<string | null>(null);
+  if (failed !== null && failed.id !== read) return <Failed job={failed} onRead={() => setRead(failed.id)} />;
+  return <EarlyEnd />;
+}
+
+function Failed({ job, onRead }: { job: Job; onRead: () => void }) {
+  const fe = useShownFe();
+  const source = useSource();
+  const rung = usePick(view, (state) => state.content?.rung ?? null);
+  const shown = source === "fe" && fe ? `${feLabel(fe.job)}, which was solved before` : rung && modelName(rung);
+  return (
+    <div className="path-end" role="status" data-testid="path-end" data-outcome={job.outcome ?? "failed"}>
+      <p>
+        <Icon name="warning" size={13} />
+        <strong>
+          {feLabel(job)}: {failureTitle(job)}
+        </strong>
+        <IconButton icon="close" label="Take this message away" onClick={onRead} data-testid="path-end-close" />
+      </p>
+      <p>
+        {failureInWords(job)}
+        {shown && ` The shape in view is that of ${shown}.`}
+      </p>
+    </div>
+  );
+}
+
+function EarlyEnd() {
   const fe = useShownFe();
   const drawn = useDrawn();
   const source = useSource();
@@ -29,7 +62,10 @@ export function PathEnd() {
           {modelName(result.rung)}: {end}
         </strong>
       </p>
-      <p>The last point of the slider is the last good shape. {result.advice}</p>
+      <p>
+        {result.path.length > 0 ? "The last point of the slider is the last good shape. " : ""}
+        {result.advice}
+      </p>
     </div>
   );
 }
