@@ -18,7 +18,7 @@ from worker.keeper import Keeper, Stop, budget
 from worker.rungs import RUNGS, Solved
 
 _logger = logging.getLogger(__name__)
-_AFTER_A_BREAKDOWN = "Run it again with a slightly different design or mesh. The worker's log has the details of job "
+_AFTER_A_BREAKDOWN = "Run it again with a slightly different design or mesh. The worker's log: job "
 _INSIST_S = (1.0, 2.0, 4.0, 8.0, 15.0, 30.0)
 T = TypeVar("T")
 
