@@ -26,6 +26,9 @@ MOST_TANGENTS = 8
 MOST_CHORDS = 12
 MOST_CONTACT_CHANGES = 12
 """Steps that may change what touches without shrinking the correction."""
+SHORTER, FUTILE = 0.8, 6
+"""Correction over the shortest before that is progress; tangents without any that end a search: it
+goes to and fro between sets of points that touch."""
 DEEPEST = 30.0
 """Penetration, over the distance in which contact sets in, into which a step may run walls."""
 NEAR = 1e-3
@@ -98,7 +101,8 @@ class _Search:
 
     def run(self) -> Found | Missed:
         made = 0
-        while made < MOST_TANGENTS + self._changes:
+        shortest, futile = np.inf, 0
+        while made < MOST_TANGENTS + min(self._changes, MOST_CONTACT_CHANGES):
             made += 1
             near = self._length <= NEAR * self._system.size
             factor = self._solver.factor(self._state, self._pressure, near=near)
@@ -108,6 +112,10 @@ class _Search:
             done = self._along(tangent, factor.balance)
             if done is None:
                 return Missed("the correction does not shrink")
+            futile = 0 if self._length < SHORTER * shortest else futile + 1
+            shortest = min(shortest, self._length)
+            if futile == FUTILE:
+                return Missed("what touches goes to and fro")
             if done:
                 moved = np.abs(self._state.place - factor.state.place).max() / self._system.size
                 return Found(self._state, self._pressure, made, factor, float(moved))

@@ -13,8 +13,8 @@ import numpy as np
 
 from actuators.mechanics.cell.helical.domain import Domain, Image, carried
 from actuators.mechanics.continuum.contact.search import frames
+from actuators.mechanics.continuum.contact.points import WALL_POINTS, contact_areas
 from actuators.mechanics.continuum.contact.surface import ContactSurface
-from actuators.mechanics.continuum.kernel.contact import face_areas
 
 SIDEWAYS = 0.1
 """Least component along X1 of the normal of a wall that can meet the next chamber's."""
@@ -64,9 +64,9 @@ def gap_walls(domain: Domain) -> Walls | None:
     image, site = np.divmod(keys, len(domain.place))
     rest = carried(domain.place, site, image, domain.motions(np.zeros(4)))
     own = np.ascontiguousarray(number.reshape(-1, 9), dtype=np.int64)
-    areas = face_areas(rest, own)
+    areas = contact_areas(rest, own, WALL_POINTS)
     areas[len(right) + len(left) :] = 0.0
-    return Walls(site.astype(np.int32), image, ContactSurface(rest, own, areas))
+    return Walls(site.astype(np.int32), image, ContactSurface(rest, own, areas, WALL_POINTS))
 
 
 def _through(image: np.ndarray, table: dict[Image, Image]) -> np.ndarray:
