@@ -1,14 +1,14 @@
 """How far off an instant rung typically is: a map over strain and pressure for each family.
 
 ``typical_errors.json`` holds quantiles of the error of the tip's displacement over random designs,
-by the largest strain of the linear cell and, where enough designs were measured, by the pressure
-that such a strain takes: a stiff design at the same strain is off by another amount than a soft
-one. ``python -m benchmarks.instant_error`` measures it; the file says against what.
+by the largest strain of the linear cell and by what, of the few numbers tried, tells most of the
+rest in that family (:data:`TRAITS`). ``python -m benchmarks.instant_error`` measures it; the file
+says against what.
 """
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -47,26 +47,50 @@ class ErrorCurve:
         return Typical(value(self.half), value(self.most), self.source)
 
 
+def _pressure_per_strain(design: Design) -> float:
+    return 1e-3 / chamber_row(design).largest_strain
+
+
+def _length_over_width(design: Design) -> float:
+    return design.length / float(getattr(design, "width"))  # noqa: B009 (every family has one)
+
+
+def _meeting_strain(design: Design) -> float:
+    row = chamber_row(design)
+    return min(row.largest_strain / max(row.gap_closing, 1e-9), 1.0)
+
+
+TRAITS: Mapping[str, Callable[[Design], float]] = {
+    "pressure_per_strain_kPa": _pressure_per_strain,
+    "length_over_width": _length_over_width,
+    "meeting_strain": _meeting_strain,
+}
+"""What designs of one family are told apart by: the pressure over the largest strain that it makes
+in the linear cell [kPa]; how slender the body is; the largest strain of the linear cell at which
+neighbouring walls would meet in it (1 at most)."""
+
+
 @dataclass(frozen=True)
 class ErrorMap:
-    """Curves of designs by their ``stiffness``, the pressure over the strain that it makes in the
-    linear cell [Pa], ascending: of as many groups of designs, each at its middle one."""
+    """Curves of as many groups of designs, each at its ``middle`` value of a trait, ascending."""
 
-    stiffness: tuple[float, ...]
+    trait: str
+    middle: tuple[float, ...]
     curves: tuple[ErrorCurve, ...]
 
-    def at(self, strain: float, stiffness: float) -> Typical | None:
-        """Between the groups linear in the logarithms, beyond the first and last as there."""
+    def at(self, strain: float, value: float) -> Typical | None:
+        """At a ``value`` of the trait: between the groups linear in the logarithms, beyond the
+        first and last as there."""
         found = [curve.at(strain) for curve in self.curves]
         known = [each for each in found if each is not None]
         if len(known) < len(found):
             return None
-        where = math.log(min(max(stiffness, self.stiffness[0]), self.stiffness[-1]))
+        where = math.log(min(max(value, self.middle[0]), self.middle[-1]))
 
-        def value(levels: list[float]) -> float:
-            return math.exp(float(np.interp(where, np.log(self.stiffness), np.log(levels))))
+        def between(levels: list[float]) -> float:
+            return math.exp(float(np.interp(where, np.log(self.middle), np.log(levels))))
 
-        half, most = value([t.half for t in known]), value([t.most for t in known])
+        half, most = between([t.half for t in known]), between([t.most for t in known])
         return Typical(half, most, known[0].source)
 
 
@@ -79,7 +103,7 @@ def error_maps() -> Mapping[tuple[str, str], ErrorMap]:
 
 
 def read_maps(document: Mapping[str, Any]) -> Mapping[tuple[str, str], ErrorMap]:
-    """Maps from their document (percent, kPa)."""
+    """Maps from their document (percent; traits as :data:`TRAITS` give them)."""
     return {
         (rung, family): _map(entry)
         for rung, families in document["rungs"].items()
@@ -92,7 +116,8 @@ def _map(entry: Mapping[str, Any]) -> ErrorMap:
         return tuple(value / 100 for value in values)
 
     return ErrorMap(
-        tuple(1e3 * group["pressure_per_strain_kPa"] for group in entry["groups"]),
+        entry["trait"],
+        tuple(group["middle"] for group in entry["groups"]),
         tuple(
             ErrorCurve(
                 tuple(group["strain"]),
@@ -110,7 +135,7 @@ def typical_at(rung: str, design: Design, strain: float) -> Typical | None:
     None where nothing is known."""
     maps = error_maps()
     found = maps.get((rung, design.family)) or maps.get((rung, "any"))
-    return None if found is None else found.at(strain, 1.0 / chamber_row(design).largest_strain)
+    return None if found is None else found.at(strain, TRAITS[found.trait](design))
 
 
 def typical_error(design: Design, response: Response) -> tuple[Typical | None, ...]:

@@ -100,16 +100,29 @@ def test_typical_errors_are_interpolated_between_levels_and_end_where_nobody_mea
     assert curve.at(0.2) is None
 
 
-def test_between_soft_and_stiff_designs_typical_errors_are_interpolated() -> None:
+def test_between_groups_of_designs_typical_errors_are_interpolated() -> None:
     soft = ErrorCurve((0.01, 0.1), (0.02, 0.02), (0.4, 0.4), "here")
     stiff = ErrorCurve((0.01, 0.1), (0.02, 0.02), (0.1, 0.1), "here")
-    both = ErrorMap((1e4, 1e6), (soft, stiff))
+    both = ErrorMap("pressure_per_strain_kPa", (1e4, 1e6), (soft, stiff))
     between = both.at(0.05, 1e5)
     assert between is not None
     assert (between.half, between.most) == pytest.approx((0.02, 0.2))
     assert both.at(0.05, 1.0) == soft.at(0.05)
     assert both.at(0.05, 1e9) == stiff.at(0.05)
     assert both.at(0.5, 1e5) is None
+
+
+def test_typical_errors_tell_designs_of_a_family_apart() -> None:
+    """Soft bellows from stiff ones, slender slabs from thick ones, at the same strain."""
+    pairs = [
+        (preset("bellows-9-2.4").design, preset("bellows-9-1.6").design, 0.04),
+        (SLAB, SLAB.changed(chamber_count=3, length=45.0), 0.1),
+    ]
+    for better, worse, strain in pairs:
+        found = [typical_at("energy", design, strain) for design in (better, worse)]
+        assert found[0] is not None
+        assert found[1] is not None
+        assert found[0].most < found[1].most
 
 
 def test_typical_errors_of_the_energy_rung_grow_along_its_path() -> None:
