@@ -85,14 +85,36 @@ class Refinement:
             if result is not None:
                 at, found, step = goal, result, 2 * step
                 self._watch(0.5 * at / last)
-            elif self._stop() is not None or (step == 1 and at == 0):
+            elif self._stop() is not None:
                 return None
+            elif step == 1 and at == 0:
+                return self._follow(found, last)
             elif step == 1:
                 self.shared, self._starts = at + 1, self._starts[: at + 1]
                 return found
             else:
                 step //= 2
         return found
+
+    def _follow(self, first: Equilibrium, last: int) -> Equilibrium | None:
+        """The anchor by this mesh's own steps from its first point: where walls press on each
+        other, even the first shared point may be too far. :attr:`shared` shrinks to what
+        is found; None where that is the first point alone."""
+        by_volume = self._path.by_volume
+        wanted = [e.volume if by_volume else e.pressure for e in self._path.points[: last + 1]]
+        goal = Goal(wanted[-1], by_volume, stops=tuple(wanted[1:]))
+        path = PathFollower(self._fine, self._solver, stop=self._stop).resume([first], first, goal)
+        self.iterations += path.iterations
+        near = 1e-6 * abs(wanted[-1] - wanted[0])
+        for index, value in enumerate(wanted[1:], start=1):
+            for found in path.points:
+                if abs(goal.measure(found) - value) <= near:
+                    self._marched[index] = found
+        if self._stop() is not None or not self._marched.keys() - {0}:
+            return None
+        reached = max(self._marched)
+        self.shared, self._starts = reached + 1, self._starts[: reached + 1]
+        return self._marched[reached]
 
     def beyond(self, anchor: Anchor, goal: Goal) -> Path | None:
         """Points from the anchor on, this mesh's own; None where every point is shared."""
