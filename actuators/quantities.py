@@ -71,3 +71,23 @@ def parse_number(text: str, *, field: str) -> float:
             field=field, value=text, mend=f"Give {field} as a plain number.",
         )  # fmt: skip
     return float(match.group(1))
+
+
+def two_digits(value: float) -> str:
+    """For what is not known better; no power of ten for what is some hundreds."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+def percent(share: float) -> str:
+    """A fraction in words: two digits, and no more than anybody can picture."""
+    if not math.isfinite(share) or share > 10.0:
+        return "over 1000 %"
+    if share == 0.0:
+        return "0 %"
+    return "below 0.01 %" if share < 1e-4 else f"{two_digits(100 * share)} %"
+
+
+def about(share: float) -> str:
+    """As :func:`percent`, of what is an estimate: ``about 12 %``."""
+    text = percent(share)
+    return f"about {text}" if text[0].isdigit() else text

@@ -9,6 +9,7 @@ from actuators.errors import SceneError
 from actuators.mechanics.choices import NAMES, Choice, checked_choices
 from actuators.mechanics.response import Effect
 from actuators.mechanics.scene import Scene
+from actuators.quantities import percent
 
 effect_option = click.option(
     "--effect", "choices", multiple=True, metavar="NAME=on|off|auto",
@@ -42,7 +43,7 @@ def print_effects(effects: Sequence[Effect]) -> None:
         (
             effect.name.replace("_", " "),
             ("on" if effect.on else "off") + (" (forced)" if effect.forced != "auto" else ""),
-            _short(effect.estimated_change_percent),
+            _percent(effect.estimated_change_percent),
             _short(effect.cost_s),
             effect.reason,
         )
@@ -55,6 +56,10 @@ def print_effects(effects: Sequence[Effect]) -> None:
             "where it is off), estimated, in percent of its longest way from the straight body, "
             "sag included."
         )
+
+
+def _percent(value: float | None) -> str | None:
+    return None if value is None else percent(value / 100).removesuffix(" %")
 
 
 def _short(value: float | None) -> float | None:

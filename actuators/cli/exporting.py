@@ -1,14 +1,23 @@
 """The command that writes files."""
 
+import json
 from pathlib import Path
 
 import click
 
-from actuators.cli.reading import read_accuracy, read_design, read_scene
+from actuators.cli.effects import effect_option, with_choices
+from actuators.cli.reading import (
+    change_option,
+    check_mesh,
+    read_accuracy,
+    read_design,
+    read_scene,
+)
 from actuators.cli.solving import Interruptible, show_progress
-from actuators.cli.studio import answer, json_option
+from actuators.cli.studio import answer, exit_code, json_option, strict_option
 from actuators.cli.tables import table
 from actuators.errors import QuestionError
+from actuators.mechanics.response import Outcome
 
 
 @click.command()
@@ -31,9 +40,9 @@ from actuators.errors import QuestionError
 )
 @click.option("--element", default="C3D20R", show_default=True, metavar="TYPE",
               help="Element of an inp deck: C3D20R, C3D20, C3D8.")  # fmt: skip
-@click.option(
-    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
-)
+@change_option
+@effect_option
+@strict_option
 @json_option
 def export(
     design: str,
@@ -45,13 +54,20 @@ def export(
     mesh: str | None,
     element: str,
     changes: tuple[str, ...],
+    choices: tuple[str, ...],
     *,
+    strict: bool,
     as_json: bool,
-) -> None:
-    """Write files of DESIGN (a preset or a JSON file); files of the same name are replaced."""
+) -> int:
+    """Write files of DESIGN (a preset or a JSON file); files of the same name are replaced.
+
+    Exit code 0 where files were written, also of a path that ended early (with --strict: 3), 2 on
+    bad input.
+    """
     from actuators.export import ModelQuestion, notes, write
 
     chosen = read_design(design, changes)
+    check_mesh(mesh, chosen)
     kinds = dict.fromkeys(kind.strip() for kind in what.split(","))
     # everything is made before anything is written: a bad kind leaves no half set of files
     question = None
@@ -59,7 +75,7 @@ def export(
         if pressure is not None or scene_file is not None:
             given = {} if accuracy is None else {"accuracy": read_accuracy(accuracy)}
             question = ModelQuestion(
-                read_scene(pressure, scene_file, None), mesh, element,
+                with_choices(read_scene(pressure, scene_file, None), choices), mesh, element,
                 progress=show_progress(), cancelled=interrupted, solving=True, **given,
             )  # fmt: skip
         made = {kind: write(chosen, kind, question) for kind in kinds}
@@ -78,12 +94,20 @@ def export(
             field="to", value=folder, mend="Choose another folder.",
         ) from error  # fmt: skip
     remarks = [note for kind in kinds for note in notes(chosen, kind)]
+    outcome = Outcome.CONVERGED
+    if "vtu" in made:
+        found = json.loads(made["vtu"]["answer.json"])
+        outcome = Outcome(found["outcome"])
+        if outcome is not Outcome.CONVERGED:
+            remarks.append(f"vtu: {outcome.value}. {found['advice'] or ''}".rstrip())
+    code = exit_code(outcome, strict=strict)
     if as_json:
         files = [{"name": name, "what": kind, "bytes": size} for name, kind, size in written]
         answer({"folder": str(target), "digest": chosen.digest, "files": files,
                 "notes": remarks})  # fmt: skip
-        return
+        return code
     click.echo(table(("file", "what", "bytes"), written))
     click.echo(f"\nin {target}")
     for remark in remarks:
         click.echo(f"  {remark}")
+    return code

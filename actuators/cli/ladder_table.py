@@ -7,6 +7,7 @@ import click
 from actuators.cli.tables import table
 from actuators.mechanics.ladder import Choice, Ladder, Point
 from actuators.mechanics.response import Outcome
+from actuators.quantities import percent, two_digits
 
 HEADINGS = (
     "rung",
@@ -60,24 +61,25 @@ def _seconds(point: Point) -> str:
         return "-"
     if point.state == "measured":
         return f"{point.seconds.value:.2g}"
-    low, high = _short(point.seconds.low), _short(point.seconds.high)
-    return f"~{_short(point.seconds.value)} ({low} to {high})"
-
-
-def _short(seconds: float) -> str:
-    # two digits, and no power of ten for what is some minutes
-    return f"{float(f'{seconds:.2g}'):g}"
+    low, high = two_digits(point.seconds.low), two_digits(point.seconds.high)
+    return f"~{two_digits(point.seconds.value)} ({low} to {high})"
 
 
 def _error(point: Point) -> str:
     if point.error is None:
         return "-"
-    low, high = 100 * point.error.low, 100 * point.error.high
+    value, low, high = map(_digits, (point.error.value, point.error.low, point.error.high))
     if point.error_kind == "against best":
-        return f"{100 * point.error.value:.2g} ({low:.2g} to {high:.2g})"
+        return f"{value} ({low} to {high})" if low != high else value
+    if not high[0].isdigit():
+        return high
     if point.error_kind == "typical":
-        return f"typically {100 * point.error.value:.2g}, mostly below {high:.2g}"
-    return f"at most {high:.2g}"
+        return f"typically {value}, mostly below {high}"
+    return f"at most {high}"
+
+
+def _digits(share: float) -> str:
+    return percent(share).removesuffix(" %")
 
 
 def _compared(point: Point) -> str:
@@ -100,7 +102,7 @@ def _standing(point: Point) -> str:
     if point.same_as is not None:
         return f"as {point.same_as.label}, which is this accurate"
     if point.stopped_after is not None:
-        return f"stopped after {_short(point.stopped_after)} s"
+        return f"stopped after {two_digits(point.stopped_after)} s"
     if point.state != "measured" or point.outcome is None:
         return point.state
     words = point.outcome.value.replace("_", " ")

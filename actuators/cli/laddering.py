@@ -9,7 +9,7 @@ import click
 from actuators.cli.effects import effect_option, with_choices
 from actuators.cli.ladder_table import print_ladder
 from actuators.cli.past_jobs import cost_model, remember
-from actuators.cli.reading import read_accuracy, read_design, read_scene
+from actuators.cli.reading import change_option, read_accuracy, read_design, read_scene
 from actuators.cli.solving import Interruptible, show_progress
 from actuators.cli.studio import answer, json_option
 from actuators.design import PRESETS, Design
@@ -38,9 +38,7 @@ BUDGET = "30s"
 @click.argument("design")
 @click.option("--pressure", metavar="QUANTITY", help="End of the pressure path, such as 30kPa.")
 @click.option("--scene", "scene_file", metavar="FILE", help="Scene as a JSON file.")
-@click.option(
-    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
-)
+@change_option
 @click.option("--steps", type=int, help="Number of equal pressure steps.")
 @click.option("--at-most", "limits", multiple=True, metavar="PERCENT|TIME", help="Choose a rung: "
               "the cheapest within 2%, the most accurate within 10s.")  # fmt: skip

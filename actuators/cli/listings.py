@@ -4,7 +4,7 @@ from typing import Any
 
 import click
 
-from actuators.cli.reading import read_design
+from actuators.cli.reading import change_option, read_design
 from actuators.cli.studio import answer, json_option
 from actuators.cli.tables import table
 from actuators.design import PRESETS, Design
@@ -57,13 +57,15 @@ def materials(*, as_json: bool) -> None:
     ]
     headings = ("material", "model", "mu/kPa", "E/kPa", "kg/m3", "source")
     click.echo(table(headings, rows))
+    click.echo(
+        "\nKEY@incompressible: the same rubber, exactly incompressible; KEY@nu=0.4999, "
+        "KEY@bulk=1e4 (kappa/mu) and KEY@stiffness=10 (all stresses) change it."
+    )
 
 
 @click.command()
 @click.argument("design")
-@click.option(
-    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
-)
+@change_option
 @json_option
 def show(design: str, changes: tuple[str, ...], *, as_json: bool) -> None:
     """Show every parameter of DESIGN (a preset or a JSON file), its unit, limits and source."""

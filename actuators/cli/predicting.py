@@ -2,23 +2,20 @@
 
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from actuators.cli.effects import effect_option, print_effects, with_choices
-from actuators.cli.reading import read_accuracy, read_design, read_scene
+from actuators.cli.reading import change_option, check_mesh, read_accuracy, read_design, read_scene
 from actuators.cli.solving import Interruptible, show_progress
-from actuators.cli.studio import answer, json_option
+from actuators.cli.studio import answer, exit_code, json_option, strict_option
 from actuators.cli.tables import table
 from actuators.design import Design
 from actuators.errors import QuestionError
 from actuators.mechanics.response import PathPoint, Response
 from actuators.mechanics.scene import Scene
-from actuators.quantities import parse_number
-
-if TYPE_CHECKING:
-    pass
+from actuators.quantities import parse_number, percent
 
 RUNGS = ("closed-form", "energy", "cell-rod", "fe")
 
@@ -31,13 +28,12 @@ RUNGS = ("closed-form", "energy", "cell-rod", "fe")
 @click.option("--accuracy", metavar="PERCENT", help="Wanted accuracy, such as 2% (rung fe).")
 @click.option("--mesh", metavar="NAME|I,J,K", help="Mesh instead of an accuracy: coarse, medium, "
               "fine, finest, or thin layers along X1, X2, X3 (rung fe).")  # fmt: skip
-@click.option(
-    "--set", "changes", multiple=True, metavar="NAME=QUANTITY", help="Change a parameter."
-)
+@change_option
 @click.option("--steps", type=int, help="Number of equal pressure steps.")
 @click.option("--c", "constant", metavar="computed|published|VALUE", help="Constant of the energy "
               "rung (default computed).")  # fmt: skip
 @effect_option
+@strict_option
 @json_option
 def predict(
     design: str,
@@ -51,9 +47,13 @@ def predict(
     constant: str | None,
     choices: tuple[str, ...],
     *,
+    strict: bool,
     as_json: bool,
-) -> None:
-    """Predict how DESIGN (a preset or a JSON file) bends and twists under pressure."""
+) -> int:
+    """Predict how DESIGN (a preset or a JSON file) bends and twists under pressure.
+
+    Exit code 0 on an answer, also where its path ended early (with --strict: 3), 2 on bad input.
+    """
     chosen = read_design(design, changes)
     scene = with_choices(read_scene(pressure, scene_file, steps), choices)
     response = _ask(chosen, scene, rung, accuracy, mesh, constant)
@@ -61,6 +61,7 @@ def predict(
         answer(response.to_document())
     else:
         _print(response)
+    return exit_code(response.outcome, strict=strict)
 
 
 def _ask(
@@ -89,6 +90,7 @@ def _ask(
             "--accuracy and --mesh.",
             field="accuracy", value=accuracy, mend="Leave out one of --accuracy and --mesh.",
         )  # fmt: skip
+    check_mesh(mesh, design)
     if constant is not None and rung != "energy":
         raise QuestionError(
             f"c is {constant!r}, but only the energy rung has this constant. "
@@ -154,7 +156,7 @@ def _print(response: Response) -> None:
     error = response.error_estimate
     click.echo(
         f"\nRung {response.rung}: {response.outcome.value}"
-        + ("" if error is None else f", estimated error {100 * error:.2g} %{_others(response)}")
+        + ("" if error is None else f", estimated error {percent(error)}{_others(response)}")
         + f", {response.wall_s:.3g} s"
         + (f", {response.unknowns} unknowns" if response.unknowns else "")
     )
@@ -170,7 +172,7 @@ def _others(response: Response) -> str:
     named = {"angle": "turn", "force": "force", "volume": "cavity growth",
              "limit_pressure": "limit pressure"}  # fmt: skip
     each = [
-        f"{word} {100 * response.error_estimates[name]:.2g} %"
+        f"{word} {percent(response.error_estimates[name])}"
         for name, word in named.items()
         if name in response.error_estimates
     ]

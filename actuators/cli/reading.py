@@ -105,6 +105,23 @@ def read_accuracy(text: str) -> float:
     return accuracy
 
 
+def check_mesh(mesh: str | None, design: Design) -> None:
+    """Raise :class:`QuestionError` for a mesh that cannot be made, before anything is solved."""
+    if mesh is None:
+        return
+    from actuators.geometry import build_body
+    from actuators.meshing.levels import layers_of
+
+    layers_of(build_body(design), mesh)
+
+
+change_option = click.option(
+    "--set", "changes", multiple=True, metavar="NAME=QUANTITY",
+    help="Change a parameter: bottom_thickness=4mm, top_material=ecoflex-00-50; a material may end "
+    "in @incompressible (see `materials`).",
+)  # fmt: skip
+
+
 def read_json(path: str, *, field: str) -> dict[str, Any]:
     """An object of a JSON file; anything else raises :class:`InputError` about ``field``."""
 
@@ -126,7 +143,8 @@ def read_json(path: str, *, field: str) -> dict[str, Any]:
         text = Path(path).read_text(encoding="utf-8")
         document: Any = json.loads(text, parse_constant=constant, object_pairs_hook=unique)
     except FileNotFoundError as error:
-        raise refuse("does not exist.", "Check the path, or name a preset.") from error
+        mend = "Check the path, or name a preset." if field == "design" else "Check the path."
+        raise refuse("does not exist.", mend) from error
     except UnicodeDecodeError as error:
         raise refuse("is not text in UTF-8.", "Give a JSON file.") from error
     except (OSError, ValueError, RecursionError) as error:

@@ -1,7 +1,7 @@
 """The command group: one place where errors become messages and exit codes.
 
 Answers go to standard output, all else to standard error. Exit 0 on an answer, also one that did
-not converge; 2 on bad input; 130 after Ctrl-C.
+not converge, which is 3 with ``--strict``; 2 on bad input; 130 after Ctrl-C.
 """
 
 import json
@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from actuators.errors import InputError
+from actuators.mechanics.response import Outcome
 
 
 class Studio(click.Group):
@@ -70,3 +71,14 @@ def answer(document: Any) -> None:
 json_option = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document instead of text."
 )
+
+ENDED_EARLY = 3
+strict_option = click.option(
+    "--strict", is_flag=True, help=f"Exit with code {ENDED_EARLY} where the path ended before what "
+    "was asked for (limit_point, stalled, cancelled, budget_spent).",
+)  # fmt: skip
+
+
+def exit_code(outcome: Outcome, *, strict: bool) -> int:
+    """Of an answer: not reaching the end is one as well, unless the caller wants it told apart."""
+    return ENDED_EARLY if strict and outcome is not Outcome.CONVERGED else 0

@@ -31,6 +31,7 @@ from actuators.mechanics.rod import (
 )
 from actuators.mechanics.rod.carried import follow_scene
 from actuators.mechanics.rod.effects import (
+    MEANINGLESS_STRAIN,
     closed_form_effects,
     is_plain,
     rod_effects,
@@ -38,6 +39,7 @@ from actuators.mechanics.rod.effects import (
     strain_notes,
 )
 from actuators.mechanics.scene import Scene
+from actuators.quantities import percent, two_digits
 
 STEPS = 20
 """Equal pressure steps where the scene leaves the choice to the rung."""
@@ -136,6 +138,9 @@ def _energy(
     design: Design, scene: Scene, pressures: np.ndarray, constant: Constant, begun: float
 ) -> Response:
     row = chamber_row(design)
+    asked, last = float(pressures[-1]), MEANINGLESS_STRAIN / max(row.largest_strain, 1e-300)
+    if asked > last:
+        pressures = np.linspace(0.0, last, len(pressures))
     solved = time.perf_counter()
     free, notes = _free_strains(design, row, constant)
     rod = rod_of(design, row, free)
@@ -144,6 +149,8 @@ def _energy(
     else:
         path = follow_scene(design, row, free, pressures, scene)
     outcome, advice = _outcome(path, pressures)
+    if outcome is Outcome.CONVERGED and asked > last:
+        outcome, advice = Outcome.STALLED, _beyond_meaning(row.largest_strain, asked)
     if len(path.positions) == 0:  # what there is without its loads is better than nothing
         path = replace(
             weightless(np.zeros((1, len(rod.length), 4)), rod.length), iterations=path.iterations
@@ -203,6 +210,15 @@ def _outcome(path: RodPath, pressures: np.ndarray) -> tuple[Outcome, str | None]
     return Outcome.STALLED, (
         f"The rod found no equilibrium under its loads at {lost:.4g} kPa.{shown} Shorten the body, "
         "stiffen it or thicken its bottom layer, or leave gravity out."
+    )
+
+
+def _beyond_meaning(per_pressure: float, asked: float) -> str:
+    trusted = two_digits((small_strain_limit(per_pressure, asked) or asked) / 1e3)
+    return (
+        f"At {asked / 1e3:g} kPa the strain would reach {percent(per_pressure * asked)}, of which "
+        f"this linear model knows nothing: it is meant for less than {trusted} kPa. Ask for less, "
+        "or use the rung cell-rod or fe, which find the limit pressure."
     )
 
 

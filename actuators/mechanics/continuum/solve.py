@@ -19,9 +19,9 @@ from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
 from actuators.mechanics.continuum.watched import WATCHED, WatchedRun
 from actuators.mechanics.effects import EffectPlan, checked, plan, without_layer
-from actuators.mechanics.effects.words import percent
 from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
+from actuators.quantities import about, percent
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,8 +129,9 @@ class _Question:
         )
         off = missed(found, self._plan.rotation_per_way)
         if decision.forced == "off":
+            self._plan = self._plan.found_to_change("finite_strain", off)
             self._came_of_it["finite_strain"] = (
-                f"by the strains and the way found, the tip is off by about {percent(off)}"
+                f"by the strains and the way found, the tip is off by {about(off)}"
             )
             return found.answer
         watched = [name for name in WATCHED if self._plan.watched(name)]
@@ -141,7 +142,7 @@ class _Question:
                 f"checked afterwards by the strains and the way found: {percent(off)}"
             )
             return found.answer
-        why = f"by its strains and way, the tip was off by about {percent(off)}"
+        why = f"by its strains and way, the tip was off by {about(off)}"
         if alarms:
             why = f"in one linear solution {alarms[0].seen}"
         self._plan = self._plan.nonlinear(f"switched on after a first, linear run: {why}")

@@ -17,10 +17,10 @@ from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor
 from actuators.mechanics.continuum.recovery import Answer
 from actuators.mechanics.effects import EffectPlan
-from actuators.mechanics.effects.words import percent
 from actuators.mechanics.response import Outcome
 from actuators.meshing import HexMesh, mesh_body
 from actuators.meshing.counting import condensed_unknowns
+from actuators.quantities import percent
 
 WATCHED = ("self_contact", "plate_contact", "cylinder_contact")
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from actuators.mechanics.effects.decision import EffectPlan
 from actuators.mechanics.effects.forecast import Forecast
-from actuators.mechanics.effects.words import percent
 from actuators.mechanics.response import Effect, Response
+from actuators.quantities import about, percent
 
 LOADS = ("gravity", "outside_pressure", "tip_force")
 
@@ -31,7 +31,7 @@ def checked(response: Response, plan: EffectPlan) -> Response:
     found = {name: _share(forecast, response, name) for name in names}
     notes = [
         f"{name.replace('_', ' ').capitalize()} was left out by an estimate, but on the shape "
-        f"found it would move the tip by about {percent(share)} of its way, more than the "
+        f"found it would move the tip by {about(share)} of its way, more than the "
         f"{percent(plan.threshold)} that may be left out. Switch it on."
         for name, share in found.items()
         if share > plan.threshold

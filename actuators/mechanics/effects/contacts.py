@@ -6,7 +6,7 @@ from dataclasses import replace
 from actuators.mechanics.effects.decision import Decision
 from actuators.mechanics.effects.forecast import Forecast
 from actuators.mechanics.effects.reach import obstacle_distances, rod_clearance
-from actuators.mechanics.effects.words import percent
+from actuators.quantities import percent
 
 OBSTACLES = ("plate_contact", "cylinder_contact")
 CLOSED = 0.7
@@ -69,8 +69,10 @@ def obstacle_contact(forecast: Forecast, name: str) -> Decision:
     if least < 0.0 and forecast.travel > 0.0:
         reason = f"freely the body would move {-least * 1e3:.2g} mm beyond the {word}'s surface"
         return _contact(name, reason, -least / forecast.travel, COST_OBSTACLE)
-    reason = f"the body is expected to come within {max(least, 0.0) * 1e3:.2g} mm of the {word}"
-    return _contact(name, reason, 0.0, COST_OBSTACLE)
+    reason = f"the body is expected to come within {least * 1e3:.2g} mm of the {word}"
+    if least <= 0.0:
+        reason = f"the body is expected to touch the {word}"
+    return _contact(name, reason, None, COST_OBSTACLE)
 
 
 def _contact(name: str, reason: str, change: float | None, cost: float) -> Decision:

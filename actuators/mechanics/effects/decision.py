@@ -76,6 +76,13 @@ class EffectPlan:
         decisions = tuple(new if d.name == name else d for d in self.decisions)
         return replace(self, decisions=decisions)
 
+    def found_to_change(self, name: str, change: float) -> "EffectPlan":
+        """The plan after a run found what leaving ``name`` out changes: better known now."""
+        decisions = tuple(
+            replace(d, change=change) if d.name == name else d for d in self.decisions
+        )
+        return replace(self, decisions=decisions)
+
     def nonlinear(self, words: str) -> "EffectPlan":
         """The plan after one linear solution was not enough: with the materials' own laws."""
         again = self.switched_on("finite_strain", words)

@@ -16,8 +16,9 @@ from actuators.mechanics.choices import NAMES, Choice, field_of
 from actuators.mechanics.effects.contacts import OBSTACLES, obstacle_contact, self_contact
 from actuators.mechanics.effects.decision import Decision, EffectPlan
 from actuators.mechanics.effects.forecast import Forecast
-from actuators.mechanics.effects.words import forced, percent
+from actuators.mechanics.effects.words import forced
 from actuators.mechanics.scene import Scene
+from actuators.quantities import about, percent
 
 BUDGET = 0.5
 """Part of the accuracy asked for that effects left out may cost; the rest is the mesh's."""
@@ -81,13 +82,13 @@ def _estimated(whole: Forecast, forecast: Forecast) -> list[Decision]:
               whole.share(whole.force.tip), f"the force {moved}"),
         Decision(
             "finite_strain", True,
-            f"strain reaches about {percent(forecast.strain)} and one linear solution would miss "
-            f"the tip by about {percent(forecast.finite_strain_share + hyper)} of its way",
+            f"strain reaches {about(forecast.strain)} and one linear solution would miss "
+            f"the tip by {about(forecast.finite_strain_share + hyper)} of its way",
             change=forecast.finite_strain_share + hyper,
         ),
         Decision(
             "hyperelasticity", hyper > 0.0,
-            f"at a strain of about {percent(forecast.strain)} the laws differ by {percent(hyper)} "
+            f"at a strain of {about(forecast.strain)} the laws differ by {percent(hyper)} "
             "from neo-Hookean ones of the same modulus"
             if hyper > 0.0 else "the materials' laws are neo-Hookean",
             change=hyper,

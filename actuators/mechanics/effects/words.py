@@ -5,15 +5,7 @@ from dataclasses import replace
 
 from actuators.mechanics.choices import Choice
 from actuators.mechanics.effects.decision import Decision
-
-
-def percent(share: float) -> str:
-    """A fraction in words: two digits, and no more than anybody can picture."""
-    if not math.isfinite(share) or share > 10.0:
-        return "more than 1000 %"
-    if share < 1e-4:
-        return "less than 0.01 %"
-    return f"{100 * share:.2g} %" if share < 1.0 else f"{100 * share:.0f} %"
+from actuators.quantities import about
 
 
 def forced(estimate: Decision, choice: Choice) -> Decision:
@@ -30,4 +22,4 @@ def left_out_note(name: str, change: float | None) -> str:
     what = name.replace("_", " ").capitalize()
     if change is None or not math.isfinite(change):
         return f"{what} left out by choice."
-    return f"{what} left out by choice; it would change the tip by about {percent(change)}."
+    return f"{what} left out by choice; it would change the tip by {about(change)}."

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from actuators.mechanics.ladder.points import Point
+from actuators.quantities import percent
 
 MISPREDICTED = 1.5
 """Seconds that differ from the expected ones by more than this factor are told."""
@@ -169,7 +170,8 @@ def _short(seconds: float) -> str:
 def _error(point: Point) -> str:
     if point.error is None:
         return "error unknown"
-    return f"error up to {100 * point.error.high:.2g} %"
+    worst = percent(point.error.high)
+    return f"error up to {worst}" if worst[0].isdigit() else f"error {worst}"
 
 
 def _sentence(point: Point) -> str:

@@ -5,6 +5,7 @@ import numpy as np
 from actuators.mechanics.response import Effect
 from actuators.mechanics.rod.solve import RodPath
 from actuators.mechanics.scene import Scene
+from actuators.quantities import about, percent, two_digits
 
 SMALL_STRAIN = 0.1
 """Largest strain, mean over an element, up to which a small-strain model is worth reading. Against
@@ -14,6 +15,10 @@ strain it is 17 % too large or half as large."""
 
 MODERATE_STRAIN = 0.3
 """Up to here the deviations from 3D above were measured."""
+
+
+MEANINGLESS_STRAIN = 3.0
+"""Ten times what was measured: a linear path ends here, for its numbers say nothing any more."""
 
 
 def rod_effects(
@@ -62,9 +67,9 @@ def strain_notes(per_pressure: float, pressure: float) -> tuple[str, ...]:
         else "This far beyond, its numbers mean nothing, and there may be no equilibrium at all"
     )
     return (
-        f"Strain would reach {_strain_in_words(largest)} at {pressure / 1e3:.6g} kPa; this linear "
-        f"model is meant for less than {SMALL_STRAIN:.0%} (about {limit / 1e3:.2g} kPa). "
-        f"{warning}: solve in 3D.",
+        f"Strain would reach {about(largest)} at {pressure / 1e3:.6g} kPa; this linear "
+        f"model is meant for less than {percent(SMALL_STRAIN)} (about {two_digits(limit / 1e3)} "
+        f"kPa). {warning}: solve in 3D.",
     )
 
 
@@ -74,10 +79,6 @@ def small_strain_limit(per_pressure: float, pressure: float) -> float | None:
     if per_pressure * pressure <= SMALL_STRAIN:
         return None
     return SMALL_STRAIN / per_pressure
-
-
-def _strain_in_words(strain: float) -> str:
-    return f"about {strain:.0%}" if strain < 10 else "more than 1000 %"
 
 
 def _gravity(scene: Scene, path: RodPath, floating: RodPath, length: float, cost: float) -> Effect:

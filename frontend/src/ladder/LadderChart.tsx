@@ -7,7 +7,7 @@ import { refined } from "../workbench/refined";
 import { placeNames, type Placed } from "./labels";
 import { PointCard } from "./PointCard";
 import { about, actionOf, alsoAnswers, isEarly, placeOf, plotted, rungName, shortName, standing } from "./points";
-import { decades, logScale, marks, shortPercent, shortSeconds, type LogScale } from "./scale";
+import { decades, logScale, marks, shortSeconds, type LogScale } from "./scale";
 import { takeRung } from "./take";
 
 const SPACE = { left: 46, right: 12, top: 8, bottom: 20 };
@@ -110,7 +110,7 @@ function Axes({ across, up, width, height }: { across: LogScale; up: LogScale; w
         <g key={value}>
           <line x1={SPACE.left} x2={right} y1={up.place(value)} y2={up.place(value)} />
           <text x={SPACE.left - 5} y={up.place(value)} dy="0.32em" textAnchor="end">
-            {value < 0.01 ? String(value) : shortPercent(value)}
+            {value} %
           </text>
         </g>
       ))}

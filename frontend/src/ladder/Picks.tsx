@@ -2,11 +2,11 @@ import { useStore } from "../api/store";
 import type { Ladder, LadderPoint } from "../api/types";
 import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
-import { sentence } from "../ui/numbers";
+import { formatPercent, sentence } from "../ui/numbers";
 import { useHindrance } from "../workbench/hindrance";
 import { limits, withLimit, type Limits } from "./limits";
 import { inWords, rungName, shortName } from "./points";
-import { shortPercent, shortSeconds } from "./scale";
+import { shortSeconds } from "./scale";
 import { takeRung } from "./take";
 
 /** The cheapest rung within an error, and the most accurate one within a time. */
@@ -80,5 +80,7 @@ function timeOf({ state, same_as: same, seconds }: LadderPoint): string {
 }
 
 function errorOf({ error_percent: error }: LadderPoint): string {
-  return error ? `up to ${shortPercent(error.high)}` : "";
+  if (!error) return "";
+  const worst = formatPercent(error.high);
+  return /^\d/.test(worst) ? `up to ${worst}` : worst;
 }

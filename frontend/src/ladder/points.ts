@@ -1,8 +1,8 @@
 /** Points of the ladder as the chart shows them, and what is said about each. */
 import type { Ladder, LadderPoint } from "../api/types";
 import { kPa, outcomeInWords } from "../results/words";
-import { sentence } from "../ui/numbers";
-import { shortPercent, shortSeconds } from "./scale";
+import { formatPercent, sentence } from "../ui/numbers";
+import { shortSeconds } from "./scale";
 
 /** Where a point stands on both axes. A run whose error nobody can tell has its seconds only. */
 export interface Place {
@@ -79,16 +79,20 @@ export function secondsInWords({ seconds, state }: LadderPoint): string {
   return `about ${shortSeconds(seconds.value)}, four of five jobs between ${shortSeconds(seconds.low)} and ${shortSeconds(seconds.high)}`;
 }
 
+/** What is more than nobody tells apart [%]. */
+const MOST = 1000;
+
 export function errorInWords(point: LadderPoint): string {
   const { error_percent: error, error_kind: kind } = point;
   if (!error) return point.mesh === null ? "not known" : "not known, for one mesh by itself cannot tell it";
-  const value = shortPercent(error.value);
+  const value = formatPercent(error.value);
   if (kind === "against best") {
     const at = point.compared_at_kPa === null ? "" : ` at ${Number(point.compared_at_kPa.toPrecision(3))} kPa`;
-    return `${value} from the best answer so far (${inWords(point.error_source ?? "")})${at}; with that one's own error at most ${shortPercent(error.high)}`;
+    return `${value} from the best answer so far (${inWords(point.error_source ?? "")})${at}; with that one's own error at most ${formatPercent(error.high)}`;
   }
+  if (error.high > MOST) return value;
   if (kind === "own estimate") return `at most ${value} by its own estimate`;
-  if (kind === "typical") return `typically ${value}; below ${shortPercent(error.high)} for four of five such designs`;
+  if (kind === "typical") return `typically ${value}; below ${formatPercent(error.high)} for four of five such designs`;
   return `at most ${value}, asked for`;
 }
 

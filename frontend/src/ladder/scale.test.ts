@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 
-import { decades, logScale, marks, shortPercent, shortSeconds } from "./scale";
+import { formatPercent } from "../ui/numbers";
+import { decades, logScale, marks, shortSeconds } from "./scale";
 
 describe("logarithmic axes", () => {
   it("span whole decades around the values, at least two", () => {
@@ -25,6 +26,6 @@ describe("logarithmic axes", () => {
 
   it("write times and errors with their units", () => {
     expect([0.004, 0.1, 12.34, 99.4, 150, 7200].map(shortSeconds)).toEqual(["4 ms", "0.1 s", "12 s", "99 s", "2.5 min", "2 h"]);
-    expect([0, 0.5, 12.6].map(shortPercent)).toEqual(["below 0.01 %", "0.5 %", "13 %"]);
+    expect([0, 0.004, 0.5, 12.6, 99.7, 128.4, 34000].map(formatPercent)).toEqual(["0 %", "below 0.01 %", "0.5 %", "13 %", "100 %", "130 %", "over 1000 %"]);
   });
 });

@@ -43,8 +43,3 @@ export function shortSeconds(seconds: number): string {
   if (seconds < 99.5 * 60) return `${two(seconds / 60)} min`;
   return `${two(seconds / 3600)} h`;
 }
-
-export function shortPercent(percent: number): string {
-  if (percent < 0.01) return "below 0.01 %";
-  return `${Number(percent.toPrecision(2))} %`;
-}

@@ -1,8 +1,8 @@
 import type { Result } from "../api/types";
 import { placeOf } from "../charts/curve";
-import { shortPercent } from "../ladder/scale";
 import { effectName } from "../scene/effectPlan";
 import { Icon } from "../ui/Icon";
+import { formatPercent } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
 import { modelName } from "../workbench/model";
 import type { Drawn } from "./drawn";
@@ -26,12 +26,12 @@ export function Typical({ drawn, control, at }: TypicalProps) {
   if (source === undefined) return null;
   const endPlace = result.path[last] && placeOf(result.path[last], control);
   const parts = [
-    now === null ? "not measured here" : `typically within ${shortPercent(now.four_of_five_below_percent)} here`,
+    now === null ? "not measured here" : `typically ${offBy(now.four_of_five_below_percent)} here`,
     here === last || typeof endPlace !== "number"
       ? ""
       : end === null
         ? `not measured at ${placeInWords(endPlace, control)}`
-        : `${shortPercent(end.four_of_five_below_percent)} at ${placeInWords(endPlace, control)}`,
+        : `${formatPercent(end.four_of_five_below_percent)} at ${placeInWords(endPlace, control)}`,
   ];
   return (
     <span
@@ -42,6 +42,11 @@ export function Typical({ drawn, control, at }: TypicalProps) {
       {modelName(result.rung)}: {parts.filter(Boolean).join(", ")}
     </span>
   );
+}
+
+function offBy(percent: number): string {
+  const most = formatPercent(percent);
+  return /^\d/.test(most) ? `within ${most}` : `off by ${most}`;
 }
 
 /** Index of the point of the path nearest to a place on it. */

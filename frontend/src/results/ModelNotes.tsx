@@ -1,7 +1,7 @@
 import { usePick } from "../api/store";
 import type { Result } from "../api/types";
 import { Icon } from "../ui/Icon";
-import { formatQuantity, formatSeconds, sentence } from "../ui/numbers";
+import { aboutPercent, formatPercent, formatQuantity, formatSeconds, sentence } from "../ui/numbers";
 import { answers } from "../workbench/answers";
 import { modelName } from "../workbench/model";
 import type { ShownFe } from "./shown";
@@ -72,11 +72,11 @@ const ESTIMATED: Record<string, string> = { tip: "tip", angle: "angle", volume: 
 /** "estimated errors: tip 1.2 %, angle 0.8 %" */
 function errorsInWords(result: Result): string {
   const named = Object.entries(result.error_estimates_percent).flatMap(([name, value]) =>
-    value === null ? [] : [`${ESTIMATED[name] ?? name.replaceAll("_", " ")} ${formatQuantity(value, 2)} %`],
+    value === null ? [] : [`${ESTIMATED[name] ?? name.replaceAll("_", " ")} ${formatPercent(value)}`],
   );
   if (named.length > 0) return `estimated errors: ${named.join(", ")}`;
   const { error_estimate_percent: whole } = result;
-  return whole === null ? "no error estimate" : `estimated error ${formatQuantity(whole, 2)} %`;
+  return whole === null ? "no error estimate" : `estimated error ${formatPercent(whole)}`;
 }
 
 function ResultNotes(props: { title: string; className: string; result: Result; facts: string[] }) {
@@ -110,7 +110,7 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
                 <td>
                   {sentence(effect.reason)}
                   {effect.estimated_change_percent !== null &&
-                    ` Leaving it out changes the tip\u2019s way by about ${formatQuantity(effect.estimated_change_percent, 2)} %.`}
+                    ` Leaving it out changes the tip\u2019s way by ${aboutPercent(effect.estimated_change_percent)}.`}
                 </td>
               </tr>
             ))}

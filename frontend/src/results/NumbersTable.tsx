@@ -1,6 +1,6 @@
 import type { Result } from "../api/types";
 import { valueAt } from "../charts/curve";
-import { formatQuantity } from "../ui/numbers";
+import { formatPercent, formatQuantity } from "../ui/numbers";
 import { MathSymbol } from "../ui/Symbol";
 import type { Control } from "../workbench/loads";
 import { modelName } from "../workbench/model";
@@ -124,5 +124,5 @@ function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | nul
 }
 
 function percent(value: number | null | undefined): string {
-  return value === null || value === undefined ? "" : `${formatQuantity(value, 2)} %`;
+  return value === null || value === undefined ? "" : formatPercent(value);
 }

@@ -18,6 +18,7 @@ export function outcomeInWords(outcome: string): string {
 
 /** How an answer ended. A linear model reaches every pressure, so that it says nothing to have reached it. */
 export function endInWords(result: Result): string {
+  if (result.rung === "energy" && result.outcome === "stalled") return "The linear model's path ends early.";
   if (result.rung !== "energy" || result.outcome !== "converged") return outcomeInWords(result.outcome);
   if (result.trusted_to_kPa === null) return "Linear model, within its range at every pressure shown.";
   return `Linear model, meant for less than ${kPa(result.trusted_to_kPa)}.`;
@@ -121,12 +122,15 @@ const ENDS: Record<string, string> = {
   budget_spent: "time used up",
 };
 
+/** The linear model knows no limit: it ends where its rod falls over, or where it means nothing. */
+const LINEAR_ENDS: Record<string, string> = { stalled: "it says nothing beyond" };
+
 /** How far a path was found that ended before what was asked: "found up to 12.2 of 40 kPa (limit
  * point)"; null where it went all the way. */
 export function earlyEnd(result: Result, asked: number | null, control: Control): string | null {
   if (result.outcome === "converged") return null;
   const end = reached(result, control);
-  const why = ENDS[result.outcome] ?? result.outcome.replaceAll("_", " ");
+  const why = (result.rung === "energy" ? LINEAR_ENDS : ENDS)[result.outcome] ?? result.outcome.replaceAll("_", " ");
   if (end === null) return why;
   const unit = control === "pressure" ? "kPa" : "ml";
   const of = asked === null ? "" : ` of ${formatQuantity(asked)}`;

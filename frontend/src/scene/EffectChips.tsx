@@ -2,7 +2,7 @@ import { usePick, useStore } from "../api/store";
 import type { EffectDecision } from "../api/types";
 import { Problem } from "../parameters/Problem";
 import { Icon } from "../ui/Icon";
-import { formatQuantity, sentence } from "../ui/numbers";
+import { aboutPercent, formatPercent, formatQuantity, sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
 import { Segmented } from "../ui/Segmented";
 import { choosing, type Choice } from "../workbench/loads";
@@ -120,7 +120,7 @@ function ChipCard({ effect, choice }: { effect: EffectDecision; choice: Choice }
         </div>
       </dl>
       {threshold !== null && choice === "auto" && (
-        <p className="muted">At this accuracy, up to {formatQuantity(threshold, 2)} % may be left out.</p>
+        <p className="muted">At this accuracy, up to {formatPercent(threshold)} may be left out.</p>
       )}
       {choice !== "auto" && <p className="muted">Chosen by hand: the answer is marked.</p>}
     </div>
@@ -130,7 +130,7 @@ function ChipCard({ effect, choice }: { effect: EffectDecision; choice: Choice }
 function changeInWords(effect: EffectDecision): string {
   const change = effect.estimated_change_percent;
   if (change === null) return "not known beforehand";
-  return change > 0 && change < 0.01 ? "less than 0.01 %" : `about ${formatQuantity(change, 2)} %`;
+  return aboutPercent(change);
 }
 
 function costInWords(effect: EffectDecision): string {

@@ -23,6 +23,19 @@ export function formatQuantity(value: number | null | undefined, digits = 3): st
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 }
 
+/** An error or a change: two digits, and no more than anybody can picture. As the command line has it. */
+export function formatPercent(percent: number): string {
+  if (!Number.isFinite(percent) || percent > 1000) return "over 1000 %";
+  if (percent === 0) return "0 %";
+  return percent < 0.01 ? "below 0.01 %" : `${Number(percent.toPrecision(2))} %`;
+}
+
+/** The same of an estimate: "about 12 %". */
+export function aboutPercent(percent: number): string {
+  const text = formatPercent(percent);
+  return /^\d/.test(text) ? `about ${text}` : text;
+}
+
 export function formatSeconds(seconds: number): string {
   if (seconds < 10) return `${seconds.toFixed(1)} s`;
   if (seconds < 60) return `${seconds.toFixed(0)} s`;

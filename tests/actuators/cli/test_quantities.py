@@ -7,7 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from actuators.errors import InputError
-from actuators.quantities import UNITS, Dimension, parse_number, parse_quantity
+from actuators.quantities import (
+    UNITS,
+    Dimension,
+    about,
+    parse_number,
+    parse_quantity,
+    percent,
+)
 
 
 @pytest.mark.parametrize(
@@ -68,3 +75,16 @@ def test_counts_take_no_unit() -> None:
     assert parse_number("6", field="chamber_count") == 6
     with pytest.raises(InputError, match="without a unit"):
         parse_number("6mm", field="chamber_count")
+
+
+@pytest.mark.parametrize(
+    ("share", "text"),
+    [
+        (0.0, "0 %"), (5e-5, "below 0.01 %"), (0.00123, "0.12 %"), (0.0199, "2 %"),
+        (0.996, "100 %"), (1.284, "130 %"), (10.0, "1000 %"), (340.0, "over 1000 %"),
+        (math.inf, "over 1000 %"),
+    ],
+)  # fmt: skip
+def test_errors_have_two_digits_and_end_at_what_can_be_pictured(share: float, text: str) -> None:
+    assert percent(share) == text
+    assert about(share) == (f"about {text}" if text[0].isdigit() else text)
