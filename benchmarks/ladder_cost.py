@@ -1,14 +1,16 @@
-"""How well the ladder predicts seconds: jobs on random designs of all families, in random scenes.
+"""How well the ladder predicts seconds.
 
-    python -m benchmarks.ladder_cost collect FILE --stream unrelated --seed 5 --seconds 240
     python -m benchmarks.ladder_cost collect FILE --stream sessions --seed 5 --seconds 240
+    python -m benchmarks.ladder_cost collect FILE --stream unrelated --seed 5 --seconds 240
+    python -m benchmarks.ladder_cost judge FILE...
     python -m benchmarks.ladder_cost record FILE...            # writes the package's record
-    python -m benchmarks.ladder_cost judge FILE... --unseen FILE...
 
-``judge`` makes a record of the first files and plays the unseen jobs, in many random orders, to a
-new machine that is slower or faster by a factor drawn from 1/3 to 3: how many predictions are
-within a factor of 1.5 of what the job then takes, for the 1st, for the 2nd to 10th, and from the
-11th job on."""
+``collect`` adds timed jobs to a file: of designers' sessions, where each question is a small change
+of the one before, or of unrelated ones (``benchmarks/ladder_jobs.py``); it can be stopped and begun
+again. ``judge`` makes a record of two thirds of the sessions and unrelated jobs and plays the rest,
+in many random orders, to a new machine that is slower or faster by a factor drawn from 1/3 to 3,
+for each third in turn: how many predictions are within a factor of 1.5 of what the job then takes,
+for the 1st, for the 2nd to 10th, and from the 11th job on."""
 
 import os
 
@@ -18,8 +20,9 @@ os.environ["OMP_NUM_THREADS"] = "1"
 
 import argparse
 import json
-from collections.abc import Sequence
-from dataclasses import asdict, replace
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -28,142 +31,191 @@ import numpy as np
 from scipy.optimize import minimize
 
 from actuators.mechanics.ladder import record as record_module
-from actuators.mechanics.ladder.cost import CostModel, Spread, Timings
+from actuators.mechanics.ladder.cost import CostModel, PastJob, Spread
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors
-from benchmarks.ladder_jobs import collect, finished, job_features, level_errors, read_jobs
+from actuators.mechanics.ladder.record import job_document
+from benchmarks.ladder_jobs import (
+    SESSION,
+    collect,
+    finished,
+    hard_jobs,
+    level_errors,
+    past_job,
+    preset_jobs,
+    read_jobs,
+)
 
 RECORD = Path(record_module.__file__).parent / record_module.FILE
-ORDERS = 20
+ORDERS, FOLDS = 12, 3
 FEW = 100
 """Below so many jobs the spreads are the ones that :class:`Spread` has, not fitted."""
+FITTED = ("weight", "memory", "reach", "peculiar", "noise")
 FACTOR = 1.5
 STAGES = ((0, 1, "first job"), (1, 10, "2nd to 10th"), (10, 10**6, "from the 11th on"))
 
 
-def fit_spread(timings: Timings) -> Spread:
-    """Spreads under which the timings are most likely; the usual ones for fewer than FEW jobs."""
-    if len(timings.seconds) < FEW:
+@dataclass(frozen=True, eq=False)
+class Timed:
+    """A job that came to an end, as collected; ``full`` and ``told``: as the package's record and
+    as a machine remember it."""
+
+    entry: dict[str, Any]
+    full: PastJob
+    told: PastJob
+
+    @property
+    def group(self) -> tuple[str, int, int]:
+        """Jobs that are played together: one session, or one unrelated job."""
+        stream, number = self.entry["stream"], self.entry["number"]
+        return stream, self.entry["seed"], number // SESSION if stream == "sessions" else number
+
+
+@dataclass(frozen=True)
+class Row:
+    """One prediction: how many jobs the machine had run before, predicted over true seconds,
+    whether those lay in the range."""
+
+    before: int
+    ratio: float
+    held: bool
+    job: dict[str, Any]
+
+
+def read(files: Sequence[Path]) -> list[Timed]:
+    """All jobs of the files that came to an end, and the presets of docs/validation.md."""
+    jobs = [job for job in read_jobs(files) if finished(job)]
+    full = [past_job(job, all_levels=True) for job in jobs]
+    told = [past_job(job, all_levels=False) for job in jobs]
+    collected = [Timed(*each) for each in zip(jobs, full, told, strict=True)]
+    return [*collected, *(Timed(entry, job, job) for entry, job in preset_jobs())]
+
+
+def fit_spread(jobs: Sequence[PastJob], levels: dict[bool, LevelErrors]) -> Spread:
+    """Spreads under which the seconds are most likely; the usual ones for fewer than FEW jobs."""
+    if len(jobs) < FEW:
         return Spread()
-    names = ("weight", "memory", "reach", "peculiar")
 
     def spread(logs: np.ndarray) -> Spread:
         values = np.exp(np.clip(logs, -3.5, 1.5))
-        return replace(Spread(), **dict(zip(names, values.tolist(), strict=True)))
+        return replace(Spread(), **dict(zip(FITTED, values.tolist(), strict=True)))
 
-    start = np.log([getattr(Spread(), name) for name in names])
+    start = np.log([getattr(Spread(), name) for name in FITTED])
     found = minimize(
-        lambda logs: -CostModel(timings, Timings.of([]), spread(logs)).log_likelihood(),
-        start, method="Nelder-Mead", options={"maxiter": 200, "xatol": 0.05, "fatol": 0.05},
+        lambda logs: -CostModel(jobs, [], levels, spread(logs)).log_likelihood(),
+        start, method="Nelder-Mead", options={"maxiter": 150, "xatol": 0.05, "fatol": 0.05},
     )  # fmt: skip
     return spread(found.x)
 
 
-def table_of(jobs: list[dict[str, Any]], errors: dict[bool, LevelErrors]) -> Timings:
-    """Features and processor seconds of the jobs that came to an end."""
-    return Timings.of([(job_features(job, errors), job["cpu"]) for job in jobs if finished(job)])
-
-
 def write_record(files: Sequence[Path]) -> None:
     """The package's record, from all jobs of ``files``."""
-    jobs = read_jobs(files)
-    errors = level_errors(jobs)
-    timings = table_of(jobs, errors)
-    spread = fit_spread(timings)
+    jobs, hard = read(files), hard_jobs()
+    levels = level_errors([job.entry for job in jobs if job.group[0] != "presets"])
+    known = [*hard, *(job.full for job in jobs)]
+    count = Counter(job.group[0] for job in jobs)
+    spread = fit_spread(known, levels)
     names = {False: "massive", True: "stands_apart"}
-    document = {
-        "source": f"{len(timings.seconds)} jobs on random designs of all families, {date.today()}, "
+    head = {
+        "source": f"{count['sessions']} jobs of designers' sessions and {count['unrelated']} "
+        f"unrelated ones on random designs of all families, {date.today()}, "
+        f"{count['presets']} presets of docs/validation.md and {len(hard)} hard cases; "
         "processor seconds of one thread on a virtual machine with 2 cores; "
         "python -m benchmarks.ladder_cost",
         "features": list(FEATURES),
         "spread": {name: round(value, 4) for name, value in asdict(spread).items()},
-        "level_errors": {names[apart]: asdict(found) for apart, found in errors.items()},
-        "jobs": [
-            [round(x, 4) for x in [*row, seconds]]
-            for row, seconds in zip(timings.features, timings.seconds, strict=True)
-        ],
+        "level_errors": {names[apart]: asdict(found) for apart, found in levels.items()},
     }
-    text = json.dumps(document, indent=1)
-    RECORD.write_text(_rows_on_lines(text) + "\n")
-    print(f"{RECORD}: {len(timings.seconds)} jobs, {spread}")
+    lines = [json.dumps(job_document(job)) for job in known]
+    top = ",\n ".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items())
+    RECORD.write_text("{\n " + top + ',\n "jobs": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n")
+    print(f"{RECORD}: {len(jobs)} jobs and {len(hard)} hard cases, {spread}")
 
 
-def _rows_on_lines(text: str) -> str:
-    """Lists of numbers on one line each."""
-    lines: list[str] = []
-    inside = False
-    for line in text.split("\n"):
-        bare = line.strip()
-        if inside:
-            lines[-1] += bare if bare.startswith("]") else bare + (" " if bare != "" else "")
-            inside = not bare.startswith("]")
-            continue
-        lines.append(line)
-        inside = bare.endswith("[") and bare in ("[", '"mean": [', '"deviation": [')
-    return "\n".join(line.replace(" ]", "]") for line in lines)
-
-
-def judge(files: Sequence[Path], unseen: Sequence[Path]) -> None:
+def judge(files: Sequence[Path]) -> None:
     """Print how far predictions were off."""
-    known, new = read_jobs(files), read_jobs(unseen)
-    errors = level_errors(known)
-    record = table_of(known, errors)
-    spread = fit_spread(record)
-    asked = [job for job in new if finished(job)]
-    table = table_of(new, errors)
+    jobs, hard = read(files), hard_jobs()
+    rows: dict[str, list[Row]] = {"sessions": [], "unrelated": [], "presets": []}
     rng = np.random.default_rng(1)
-    off: list[list[tuple[int, float, str, str]]] = []
-    for _ in range(ORDERS):
-        order, pace = rng.permutation(len(asked)), float(np.exp(rng.uniform(-1, 1) * np.log(3)))
-        seen: list[tuple[np.ndarray, float]] = []
-        rows: list[tuple[int, float, str, str]] = []
-        for count, index in enumerate(order.tolist()):
-            model = CostModel(record, Timings.of(seen), spread)
-            took = pace * float(table.seconds[index])
-            ratio = model.predict(table.features[index]).seconds / took
-            job = asked[index]
-            rows.append((count, ratio, job["design"]["family"], job["kind"]))
-            seen.append((table.features[index], took))
-        off.append(rows)
-    _print(off, len(known), len(new), len(asked))
+    groups = sorted({job.group for job in jobs})
+    fold_of = {group: k % FOLDS for k, group in enumerate(rng.permutation(len(groups)).tolist())}
+    fold = {group: fold_of[k] for k, group in enumerate(groups)}
+    for turn in range(FOLDS):
+        known = [job for job in jobs if fold[job.group] != turn]
+        levels = level_errors([job.entry for job in known if job.group[0] != "presets"])
+        record = [*hard, *(job.full for job in known)]
+        spread = fit_spread(record, levels)
+        for stream, found in rows.items():
+            unseen = [job for job in jobs if fold[job.group] == turn and job.group[0] == stream]
+            for _ in range(ORDERS):
+                found += play(unseen, record, levels, spread, rng)
+    for stream, found in rows.items():
+        count = sum(job.group[0] == stream for job in jobs)
+        print(f"\n{stream}: {count} jobs")
+        _print(found)
 
 
-def _print(off: list[list[tuple[int, float, str, str]]], known: int, new: int, asked: int) -> None:
-    every = [row for rows in off for row in rows]
-    print(f"record of {known} jobs; {new} unseen, {asked} of them to an end; {ORDERS} orders")
+def play(
+    jobs: Sequence[Timed], record: Sequence[PastJob], levels: dict[bool, LevelErrors],
+    spread: Spread, rng: np.random.Generator,
+) -> list[Row]:  # fmt: skip
+    """Jobs one after another on a new machine, groups in random order."""
+    groups = sorted({job.group for job in jobs})
+    pace = float(np.exp(rng.uniform(-1, 1) * np.log(3)))
+    seen: list[PastJob] = []
+    rows: list[Row] = []
+    for index in rng.permutation(len(groups)).tolist():
+        for job in (job for job in jobs if job.group == groups[index]):
+            took = replace(job.told, seconds=pace * job.told.seconds)
+            found = CostModel(record, seen, levels, spread).predict(took.outlook)
+            held = found.low <= took.seconds <= found.high
+            rows.append(Row(len(seen), found.seconds / took.seconds, held, job.entry))
+            seen.append(took)
+    return rows
+
+
+def _print(rows: list[Row]) -> None:
     print(
-        "\n| predictions | within 1.5 | within 2 | median factor off |\n| --- | --- | --- | --- |"
+        "\n| predictions | within 1.5 | within 2 | median factor off | in the range |"
+        "\n| --- | --- | --- | --- | --- |"
     )
     for low, high, name in STAGES:
-        _line(name, [ratio for count, ratio, _, _ in every if low <= count < high])
-    late = [row for row in every if row[0] >= 10]
-    for column in (2, 3):
-        for name in sorted({row[column] for row in late}):
-            _line(f"{name}, from the 11th on", [row[1] for row in late if row[column] == name])
+        _line(name, [row for row in rows if low <= row.before < high])
+    late = [row for row in rows if row.before >= 10]
+    kinds: tuple[Callable[[Row], str], ...] = (
+        lambda row: row.job["design"]["family"],
+        lambda row: row.job["kind"],
+        lambda row: row.job["move"],
+    )
+    for kind in kinds:
+        for name in sorted({kind(row) for row in late} - {"start"}):
+            _line(f"of these: {name}", [row for row in late if kind(row) == name])
 
 
-def _line(name: str, ratios: list[float]) -> None:
-    away = np.exp(np.abs(np.log(ratios)))
-    print(f"| {name} | {100 * np.mean(away <= FACTOR):.0f} % | {100 * np.mean(away <= 2):.0f} % "
-          f"| {np.median(away):.2f} |")  # fmt: skip
+def _line(name: str, rows: Sequence[Row]) -> None:
+    if not rows:
+        return
+    away = np.exp(np.abs(np.log([row.ratio for row in rows])))
+    shares = [away <= FACTOR, away <= 2, [row.held for row in rows]]
+    within, twice, held = (f"{100 * np.mean(share):.0f} %" for share in shares)
+    print(f"| {name} | {within} | {twice} | {np.median(away):.2f} | {held} |")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("what", choices=("collect", "record", "judge"))
     parser.add_argument("files", nargs="+", type=Path)
-    parser.add_argument("--unseen", nargs="+", type=Path, default=[])
+    parser.add_argument("--stream", choices=("unrelated", "sessions"), default="unrelated")
     parser.add_argument("--seed", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=1800.0)
-    parser.add_argument("--most-cpu", type=float, default=15.0)
-    parser.add_argument("--stream", choices=("unrelated", "sessions"), default="unrelated")
     parser.add_argument("--most", type=int, default=10**6)
+    parser.add_argument("--most-cpu", type=float, default=15.0)
     asked = parser.parse_args()
     if asked.what == "collect":
         collect(asked.files[0], asked.stream, asked.seed, asked.seconds, asked.most_cpu, asked.most)
     elif asked.what == "record":
         write_record(asked.files)
     else:
-        judge(asked.files, asked.unseen)
+        judge(asked.files)
 
 
 if __name__ == "__main__":

@@ -17,27 +17,37 @@ import numpy as np
 
 from actuators.design import FAMILIES, Design, parse_design
 from actuators.errors import InputError, QuestionError
+from actuators.hard_cases.asking import EVERY_EFFECT
+from actuators.hard_cases.entries import read_cases
+from actuators.hard_cases.question import question
+from actuators.mechanics.ladder.cost import JUDGED, SMALLEST_ERROR, PastJob
 from actuators.mechanics.ladder.question import (
-    FEATURES,
+    BESIDES_S,
     LevelErrors,
-    features,
     mesh_sizes,
+    outlook,
+    tangent_seconds,
 )
 from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.scene import STRONGEST, Scene
 from actuators.meshing.levels import MeshChoice
 from benchmarks.random_questions import KINDS, random_design, random_questions, random_scene
+from benchmarks.validation.data import read as validation_answers
+from benchmarks.validation.studies import all_cases
 
 ACCURACIES = (0.3, 0.3, 0.2, 0.1, 0.1, 0.05, 0.02)
 SHARE_OF_MESHES = 0.2
 """Part of the jobs that name the coarsest mesh instead."""
 CHAMBERS = (1, 3)
+HARD_CASES = Path(__file__).parent.parent / "docs" / "hard_cases_data.json"
+ENDED = ("converged", "limit_point", "stalled")
 SESSION = 9
 """Jobs of one session."""
 MOVES = ("pressure", "pressure", "pressure", "length", "length", "length", "length", "accuracy",
          "accuracy", "chambers", "load")  # fmt: skip
 """What a designer changes from one job to the next: sliders mostly."""
-JUDGED = ("tip", "angle", "force", "limit_pressure")
+MOST_MOVES = 3
+"""Changes between two jobs, at most; as many are drawn evenly from one on."""
 
 
 @dataclass(frozen=True)
@@ -56,15 +66,15 @@ class Asked:
 def unrelated(seed: int) -> Iterator[Asked]:
     """Random designs in random scenes, without end."""
     rng = np.random.default_rng(seed + 1000)
-    for question in random_questions(seed, CHAMBERS):
+    for each in random_questions(seed, CHAMBERS):
         accuracy = float(rng.choice(ACCURACIES))
         mesh: MeshChoice | None = "coarse" if rng.random() < SHARE_OF_MESHES else None
-        yield Asked(question.design, question.scene, question.kind, accuracy, mesh)
+        yield Asked(each.design, each.scene, each.kind, accuracy, mesh)
 
 
 def sessions(seed: int) -> Iterator[Asked]:
     """Designers one after another, without end, families in turn; each asks SESSION times, mostly
-    changing what was asked last by one slider."""
+    changing what was asked last by up to three moves."""
     number = 0
     while True:
         rng = np.random.default_rng([seed, number])
@@ -76,7 +86,10 @@ def sessions(seed: int) -> Iterator[Asked]:
         asked = Asked(design, random_scene(rng, design, kind), kind, accuracy, mesh)
         yield asked
         for _ in range(SESSION - 1):
-            asked = _moved(rng, asked)
+            last = asked
+            for _ in range(int(rng.integers(1, MOST_MOVES + 1))):
+                last = _moved(rng, last)
+            asked = replace(last, move=_named(last, asked))
             yield asked
         number += 1
 
@@ -90,7 +103,16 @@ def _moved(rng: np.random.Generator, last: Asked) -> Asked:
         except InputError:
             continue
         if changed != last:
-            return replace(changed, move=move)
+            return changed
+
+
+def _named(asked: Asked, before: Asked) -> str:
+    """What of a question has changed that matters most to its time."""
+    if (asked.accuracy, asked.mesh) != (before.accuracy, before.mesh):
+        return "accuracy"
+    if getattr(asked.design, "chamber_count") != getattr(before.design, "chamber_count"):  # noqa: B009
+        return "chambers"
+    return "sliders"
 
 
 def _change(rng: np.random.Generator, last: Asked, move: str) -> Asked:
@@ -225,14 +247,74 @@ def finished(job: dict[str, Any]) -> bool:
     return job["outcome"] not in ("cancelled", "budget_spent")
 
 
-def job_features(job: dict[str, Any], errors: dict[bool, LevelErrors]) -> np.ndarray:
-    """As the ladder computes them, (f,)."""
-    row = features(
+def past_job(job: dict[str, Any], *, all_levels: bool) -> PastJob:
+    """As the ladder keeps it: errors of the mesh it ended on; with ``all_levels`` also those of the
+    meshes before, which answers do not tell."""
+    told = outlook(
         parse_design(job["design"]), Scene.from_document(job["scene"]),
-        accuracy=job["accuracy"], mesh=job["mesh"], errors=errors,
+        accuracy=job["accuracy"], mesh=job["mesh"],
     )  # fmt: skip
-    assert len(row) == len(FEATURES)
-    return row
+    estimates = job["levels"][-1] if job["levels"] else {}
+    found = PastJob.of(told, job["cpu"], job["unknowns"], estimates)
+    if job["mesh"] is not None or not all_levels:
+        return found
+    errors = {k: worst(each) for k, each in enumerate(job["levels"], start=1)}
+    return replace(found, errors=errors)
+
+
+def hard_jobs() -> list[PastJob]:
+    """The catalogue of hard cases, solved on the coarsest mesh: of each the tangents it took are
+    kept, and what as many take on a mesh of its size. Cases that were changed since are left
+    out."""
+    found: list[PastJob] = []
+    results = json.loads(HARD_CASES.read_text())
+    for case in read_cases():
+        result = results.get(case.title)
+        if case.rung != "fe" or result is None or result["outcome"] not in ENDED:
+            continue
+        asked = question(case)
+        if asked.accuracy is not None or asked.shuffled or result["iterations"] < 1:
+            continue
+        told = outlook(
+            asked.design, asked.scene, accuracy=EVERY_EFFECT, mesh=asked.mesh or "coarse"
+        )
+        size = told.sizes[0]
+        if told.sizes != (size,) or not 0.8 < result["unknowns"] / size <= 1.0:
+            continue
+        seconds = BESIDES_S + result["iterations"] * tangent_seconds(size)
+        found.append(PastJob(told, seconds, 0, {}))
+    return found
+
+
+def preset_jobs() -> list[tuple[dict[str, Any], PastJob]]:
+    """The studies of docs/validation.md: presets of full size far into contact and to their limits,
+    in processor seconds of the same kind of machine; each with what it is. Studies changed since
+    are left out."""
+    found: list[tuple[dict[str, Any], PastJob]] = []
+    _, answers = validation_answers()
+    for number, case in enumerate(all_cases()):
+        answer = answers.get(case.key)
+        if answer is None or answer.outcome not in ENDED:
+            continue
+        told = outlook(case.design, case.scene, accuracy=case.accuracy)
+        document = answer.document
+        if not any(0.85 < document["unknowns"] / size <= 1.0 for size in told.sizes):
+            continue
+        percent = document.get("error_estimate_percent")
+        estimates = {} if percent is None else {"tip": percent / 100}
+        entry = {
+            "stream": "presets", "seed": 0, "number": number, "move": "start",
+            "design": case.design.to_document(),
+            "kind": "pressure" if case.scene.plate is None else "plate",
+        }  # fmt: skip
+        seconds = float(document["processor_s"])
+        found.append((entry, PastJob.of(told, seconds, document["unknowns"], estimates)))
+    return found
+
+
+def worst(estimates: dict[str, float]) -> float:
+    """The largest estimate that decides."""
+    return max(estimates.get(name, 0.0) for name in JUDGED)
 
 
 def level_errors(jobs: list[dict[str, Any]]) -> dict[bool, LevelErrors]:
@@ -246,8 +328,7 @@ def level_errors(jobs: list[dict[str, Any]]) -> dict[bool, LevelErrors]:
         for level, estimates in enumerate(job["levels"]):
             while len(table) <= level:
                 table.append([])
-            worst = max(estimates.get(name, 0.0) for name in JUDGED)
-            table[level].append(float(np.log(max(worst, 1e-4))))
+            table[level].append(float(np.log(max(worst(estimates), SMALLEST_ERROR))))
     return {apart: _summary(table) for apart, table in seen.items()}
 
 

@@ -156,7 +156,9 @@ class ResultRow:
 @dataclass(frozen=True)
 class TimingRow:
     """How long a worker took over a question. ``design`` and ``scene`` in border units; ``mesh``:
-    the one asked for, None where the accuracy decided; ``worker`` is ``name@machine``."""
+    the one asked for, None where the accuracy decided; ``seconds``: on the clock or, where fewer,
+    of the processor, for a machine busy with other work is not slow; ``unknowns`` of the mesh it
+    ended on, ``estimates_percent`` of its errors there; ``worker`` is ``name@machine``."""
 
     digest: str
     design: dict[str, Any]
@@ -164,6 +166,8 @@ class TimingRow:
     accuracy: float
     mesh: str | None
     seconds: float
+    unknowns: int
+    estimates_percent: dict[str, float | None]
     outcome: str
     worker: str | None
     finished_at: datetime

@@ -45,7 +45,9 @@ class Timings(Database):
                 scene=row["document"]["scene"],
                 accuracy=row["accuracy"],
                 mesh=row["mesh"],
-                seconds=float(row["document"]["wall_s"]),
+                seconds=_seconds(row["document"]),
+                unknowns=int(row["document"].get("unknowns") or 0),
+                estimates_percent=dict(row["document"].get("error_estimates_percent") or {}),
                 outcome=row["outcome"],
                 worker=row["worker"],
                 finished_at=row["finished_at"],
@@ -68,3 +70,9 @@ class Timings(Database):
         )
         with self._read() as connection:
             return [ResultRow(**row) for row in connection.execute(query).mappings()]
+
+
+def _seconds(document: Mapping[str, Any]) -> float:
+    """On the clock or of the processor, whichever is less."""
+    wall, cpu = float(document["wall_s"]), document.get("cpu_s")
+    return min(wall, float(cpu)) if cpu else wall

@@ -157,7 +157,6 @@ class Session:
             return
         solve = self._solver()
         click.echo(f"{rung.label}:", err=True)
-        begun = time.process_time()
         try:
             response = solve(
                 self.design, self.scene, accuracy=rung.accuracy or 0.05, time_budget=self._left(),
@@ -170,7 +169,7 @@ class Session:
             self.spent[rung] = response.wall_s
             return
         self.answers.append(Answer.of(response, rung))
-        remember(response, rung, cpu_s=time.process_time() - begun)
+        remember(response, rung)
         self._costs = cost_model()
 
     def _solver(self) -> Callable[..., Response]:

@@ -5,21 +5,25 @@ and may be deleted: predictions then start from the package's record again.
 """
 
 import json
-import math
 from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
 
-from actuators.design import Design
-from actuators.mechanics.ladder import FEATURES, CostModel, Rung, Timings, cost_record, features
+from actuators.mechanics.ladder import (
+    CostModel,
+    PastJob,
+    Rung,
+    cost_record,
+    job_document,
+    job_of_document,
+    outlook,
+)
 from actuators.mechanics.ladder.cost import MOST_JOBS
 from actuators.mechanics.response import Outcome, Response
-from actuators.mechanics.scene import Scene
 from actuators.places import data_folder
 
-VERSION = 1
+VERSION = 2
 """Of what the features mean; lines of another version are not read."""
 NOT_TIMED = (Outcome.CANCELLED, Outcome.BUDGET_SPENT)
 
@@ -29,25 +33,24 @@ def past_jobs_file() -> Path:
     return data_folder() / "past_jobs.jsonl"
 
 
-LOADING_S = 5.0
-"""The first solve of a process also reads compiled kernels; shorter ones would tell mostly that."""
+LOADING_S = 1.0
+"""The first solve of a process also reads compiled kernels, most of them while it is set up (1 s of
+the processor; 0.01 s later on). What is left of a shorter one would still tell mostly that."""
 
 
-def remember(
-    response: Response, rung: Rung, *, cpu_s: float = math.inf, is_first: bool = False
-) -> None:
-    """Add a finished job. ``cpu_s``: processor seconds [s] it took, which count where they are
-    fewer: a machine busy with other work is not slow. ``is_first``: its process had not loaded the
-    solver before. A folder that
-    cannot be written to costs the memory, not the answer."""
-    if response.outcome in NOT_TIMED or response.wall_s <= (LOADING_S if is_first else 0.0):
+def remember(response: Response, rung: Rung, *, is_first: bool = False) -> None:
+    """Add a finished job: its seconds on the clock or, where they are fewer, of the processor, for
+    a machine busy with other work is not slow. ``is_first``: its process had not loaded the solver
+    before; its setting up is left out. A folder that cannot be written to costs the memory, not the
+    answer."""
+    seconds = response.wall_s if response.cpu_s is None else min(response.wall_s, response.cpu_s)
+    if is_first and response.wall_s > 0.0:
+        seconds *= 1.0 - response.timings.get("set_up", 0.0) / response.wall_s
+    if response.outcome in NOT_TIMED or seconds <= (LOADING_S if is_first else 0.0):
         return
-    row = _features(response.design, response.scene, rung)
-    entry = {
-        "version": VERSION,
-        "seconds": min(response.wall_s, cpu_s),
-        "features": dict(zip(FEATURES, row.tolist(), strict=True)),
-    }
+    told = outlook(response.design, response.scene, accuracy=rung.accuracy, mesh=rung.mesh)
+    job = PastJob.of(told, seconds, response.unknowns, response.error_estimates)
+    entry = {"version": VERSION, **job_document(job)}
     file = past_jobs_file()
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -60,16 +63,10 @@ def remember(
 
 def cost_model() -> CostModel:
     """Prediction of seconds from the package's record and this user's past jobs."""
-    record = cost_record()
-    return CostModel(record.timings, Timings.of(_read(past_jobs_file())), record.spread)
+    return cost_record().model(_read(past_jobs_file()))
 
 
-def _features(design: Design, scene: Scene, rung: Rung) -> np.ndarray:
-    errors = cost_record().level_errors
-    return features(design, scene, accuracy=rung.accuracy, mesh=rung.mesh, errors=errors)
-
-
-def _read(file: Path) -> list[tuple[np.ndarray, float]]:
+def _read(file: Path) -> list[PastJob]:
     """Jobs of the file; lines that are damaged or of another version are passed over."""
     if not file.exists():
         return []
@@ -81,13 +78,9 @@ def _read(file: Path) -> list[tuple[np.ndarray, float]]:
     return [job for line in lines if (job := _job(line)) is not None]
 
 
-def _job(line: str) -> tuple[np.ndarray, float] | None:
+def _job(line: str) -> PastJob | None:
     try:
         entry: Any = json.loads(line)
-        if entry["version"] != VERSION:
-            return None
-        row = np.array([float(entry["features"][name]) for name in FEATURES])
-        seconds = float(entry["seconds"])
-    except (ValueError, KeyError, TypeError):
+        return job_of_document(entry) if entry["version"] == VERSION else None
+    except (AttributeError, ValueError, KeyError, TypeError):
         return None
-    return (row, seconds) if np.isfinite(row).all() else None

@@ -1,6 +1,5 @@
 """The command that answers: how DESIGN moves under pressure."""
 
-import time
 from collections.abc import Callable
 from typing import Any
 
@@ -118,14 +117,12 @@ def _solve(design: Design, scene: Scene, accuracy: str | None, mesh: str | None)
         wanted["accuracy"] = read_accuracy(accuracy)
     from actuators.mechanics.continuum import solve
 
-    begun = time.process_time()
     with Interruptible() as interrupted:
         response = solve(design, scene, progress=show_progress(), cancelled=interrupted, **wanted)
     from actuators.cli.past_jobs import remember
     from actuators.mechanics.ladder import Rung
 
-    rung, cpu = Rung("fe", wanted.get("accuracy", 0.05), mesh), time.process_time() - begun
-    remember(response, rung, cpu_s=cpu, is_first=True)
+    remember(response, Rung("fe", wanted.get("accuracy", 0.05), mesh), is_first=True)
     return response
 
 

@@ -137,7 +137,8 @@ class Response:
     "angle", "force" and "volume" where known. ``limit_pressure``: the pressure's maximum [Pa] that
     the path came to, None where it met none. ``notes`` are findings a designer must read (walls
     overlap by 0.4 mm, ...). ``trusted_to`` is the pressure up to which the rung's own assumptions
-    hold [Pa], None where they hold on the whole path. ``timings`` [s] by stage.
+    hold [Pa], None where they hold on the whole path. ``wall_s``: on the clock, ``cpu_s``: of the
+    processor, all threads together, None where it was not taken. ``timings`` [s] by stage.
     """
 
     design: Design
@@ -153,6 +154,7 @@ class Response:
     limit_pressure: float | None = None
     trusted_to: float | None = None
     wall_s: float = 0.0
+    cpu_s: float | None = None
     unknowns: int = 0
     newton_iterations: int = 0
     effects: tuple[Effect, ...] = ()
@@ -175,6 +177,7 @@ class Response:
             "limit_pressure_kPa": _finite(self.limit_pressure, 1e-3),
             "trusted_to_kPa": _finite(self.trusted_to, 1e-3),
             "wall_s": self.wall_s,
+            "cpu_s": self.cpu_s,
             "unknowns": self.unknowns,
             "newton_iterations": self.newton_iterations,
             "effects": [e.to_document() for e in self.effects],

@@ -7,14 +7,14 @@ from tests.storage.conftest import SCENE, SLAB
 
 def answered(
     store: Store, version: VersionRow, seconds: float, *, accuracy: float = 0.05,
-    worker: str = "w1@bench", outcome: str = "converged", mesh: str | None = None,
+    worker: str = "w1@bench", outcome: str = "converged", mesh: str | None = None, **more: object,
 ) -> None:  # fmt: skip
     job = store.submit(version.id, SCENE, "fe", accuracy, "ada", mesh=mesh)
     taken = store.claim(job.id, worker=worker, science_version=science_version())
     assert taken is not None
     document = {
         "design": taken.design, "scene": taken.scene, "wall_s": seconds, "outcome": outcome,
-        "advice": None, "path": [],
+        "advice": None, "path": [], **more,
     }  # fmt: skip
     store.finish(job.id, taken.attempt, document, b"arrays")
 
@@ -35,6 +35,17 @@ def test_timings_are_those_of_jobs_that_were_computed_to_an_end(
     assert found[0].scene["pressure_kPa"]["to"] == 30
     assert store.recent_timings("energy") == []
     assert [t.seconds for t in store.recent_timings("fe", limit=1)] == [7.0]
+
+
+def test_of_clock_and_processor_the_fewer_seconds_count(store: Store, version: VersionRow) -> None:
+    answered(store, version, 9.0, accuracy=0.1, cpu_s=3.0, unknowns=5000,
+             error_estimates_percent={"tip": 2.0, "force": None})  # fmt: skip
+    answered(store, version, 4.0, accuracy=0.05, cpu_s=7.5)
+    answered(store, version, 5.0, accuracy=0.02, cpu_s=None)
+    newest, between, first = store.recent_timings("fe")
+    assert [newest.seconds, between.seconds, first.seconds] == [5.0, 4.0, 3.0]
+    assert (first.unknowns, first.estimates_percent["tip"]) == (5000, 2.0)
+    assert (newest.unknowns, newest.estimates_percent) == (0, {})
 
 
 def test_timings_can_be_those_of_one_machine(store: Store, version: VersionRow) -> None:

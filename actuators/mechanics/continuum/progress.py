@@ -40,7 +40,7 @@ class Monitor:
     ) -> None:
         self._progress, self._cancelled = progress, cancelled
         self._budget = budget if isinstance(budget, Budget) else Budget(budget)
-        self._start = time.perf_counter()
+        self._start, self._start_cpu = time.perf_counter(), time.process_time()
         self._fraction = 0.0
         self._asked = 0
         self.most_memory = 0.0
@@ -80,3 +80,8 @@ class Monitor:
     def elapsed(self) -> float:
         """Seconds since the start."""
         return time.perf_counter() - self._start
+
+    @property
+    def elapsed_cpu(self) -> float:
+        """Seconds of the processor since the start, of the whole process."""
+        return time.process_time() - self._start_cpu

@@ -119,7 +119,10 @@ class _Question:
         if len(spans) < len(names):
             names = ("set_up", "linear", "recovery")
         timings = dict(zip(names, spans, strict=True))
-        return Solution(replace(response, wall_s=monitor.elapsed, timings=timings), answer)
+        response = replace(
+            response, wall_s=monitor.elapsed, cpu_s=monitor.elapsed_cpu, timings=timings
+        )
+        return Solution(response, answer)
 
     def _linear(self) -> Answer | None:
         """The linear answer; None where it turns out to miss too much, or bodies would touch."""

@@ -13,16 +13,17 @@ from actuators.mechanics.ladder.choice import (
     at_most_error,
     at_most_seconds,
 )
-from actuators.mechanics.ladder.cost import CostModel, TimeEstimate, Timings
+from actuators.mechanics.ladder.cost import CostModel, PastJob, TimeEstimate
 from actuators.mechanics.ladder.points import Point, Span, Typical
-from actuators.mechanics.ladder.question import FEATURES, features
-from actuators.mechanics.ladder.record import cost_record
+from actuators.mechanics.ladder.question import FEATURES, Outlook, outlook
+from actuators.mechanics.ladder.record import cost_record, job_document, job_of_document
 from actuators.mechanics.ladder.rungs import Rung, ladder_rungs, read_rung
 from actuators.mechanics.ladder.typical import typical_at, typical_error
 
 __all__ = [
-    "FEATURES", "Answer", "Choice", "CostModel", "Difference", "Ladder", "Limit", "Point", "Rung",
-    "Span", "TimeEstimate", "Timings", "Typical", "as_it_went", "ask_instant", "at_most_error",
-    "at_most_seconds", "build_ladder", "cost_record", "difference", "expected_time", "features",
-    "ladder_rungs", "read_rung", "typical_at", "typical_error",
+    "FEATURES", "Answer", "Choice", "CostModel", "Difference", "Ladder", "Limit", "Outlook",
+    "PastJob", "Point", "Rung", "Span", "TimeEstimate", "Typical", "as_it_went", "ask_instant",
+    "at_most_error", "at_most_seconds", "build_ladder", "cost_record", "difference",
+    "expected_time", "job_document", "job_of_document", "ladder_rungs", "outlook", "read_rung",
+    "typical_at", "typical_error",
 ]  # fmt: skip

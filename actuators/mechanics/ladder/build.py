@@ -18,8 +18,7 @@ from actuators.mechanics.ladder.points import (
     measured_point,
     predicted_point,
 )
-from actuators.mechanics.ladder.question import cell_strain, features
-from actuators.mechanics.ladder.record import cost_record
+from actuators.mechanics.ladder.question import cell_strain, outlook
 from actuators.mechanics.ladder.rungs import Rung, ladder_rungs
 from actuators.mechanics.ladder.typical import typical_at
 from actuators.mechanics.scene import Scene
@@ -115,11 +114,7 @@ def expected_time(design: Design, scene: Scene, rung: Rung, costs: CostModel) ->
     """Seconds that a rung is expected to take."""
     if rung.is_instant:
         return INSTANT_SECONDS[rung.name]
-    row = features(
-        design, scene, accuracy=rung.accuracy, mesh=rung.mesh,
-        errors=cost_record().level_errors,
-    )  # fmt: skip
-    return costs.predict(row)
+    return costs.predict(outlook(design, scene, accuracy=rung.accuracy, mesh=rung.mesh))
 
 
 def _least(rung: Rung, answers: Sequence[Answer], spent: Mapping[Rung, float]) -> float:

@@ -6,36 +6,48 @@ effects will be solved for is what :func:`.effects.plan` decides.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from actuators.design import Design
 from actuators.geometry import OUTSIDE, Body, build_body
-from actuators.mechanics.cell.row import ChamberRow, chamber_row
+from actuators.mechanics.cell.row import ChamberRow
 from actuators.mechanics.effects import plan
+from actuators.mechanics.effects.forecast import Forecast
+from actuators.mechanics.effects.reach import obstacle_distances
 from actuators.mechanics.scene import Scene
 from actuators.meshing.counting import condensed_unknowns
 from actuators.meshing.levels import MeshChoice, layers_of, levels_of
 
 FEATURES = (
-    "one", "work", "coarse", "oblique", "printed", "bellows", "linear", "strain", "large strain",
-    "suction", "volume", "obstacle", "walls meet", "watched", "steps",
+    "one", "coarse", "oblique", "printed", "bellows", "linear", "strain", "large strain",
+    "suction", "volume", "obstacle", "walls meet", "watched", "steps", "turn", "closed", "pressed",
+    "weight", "force",
 )  # fmt: skip
-"""What the prediction of time is made from, in the order of :func:`features`."""
+"""What a question is described by, in the order of :attr:`Outlook.features`. ``turn``: of the free
+end by the linear cell; ``closed``: how many times over neighbouring walls would close their gap;
+``pressed``: how far beyond an obstacle's surface the body would move freely, over its way;
+``weight``, ``force``: what weight, and other loads, do to the tip, over its way."""
 
 WALL_STRAIN = {"slab": 0.3, "oblique": 0.3, "printed": 0.15, "bellows": 0.06}
 """Largest strain [-] of the linear cell from which on a solve takes more steps: slabs come near
 their limit pressure there, the walls of the others begin to meet (presets, measured)."""
 
-PATH_SOLVES, ANCHOR_SOLVES, LAST_SOLVES, LINEAR_SOLVES = 25.0, 5.0, 12.0, 2.0
-"""Newton iterations, typically: of a path on the coarsest mesh, of one state on a finer mesh, and
-of the states that are solved besides on the last one; and what a mesh of a linear answer counts."""
+PATH_SOLVES, ANCHOR_SOLVES, LAST_SOLVES, LINEAR_SOLVES = 20.0, 2.0, 6.0, 1.0
+"""Tangents, typically: of a path on the coarsest mesh, of one state on a finer mesh, and of the
+states that are solved besides on the last one; and of a mesh of a linear answer."""
+ASSEMBLY_S, FACTOR_S, FACTOR_GROWTH, BESIDES_S = 0.013, 0.037, 1.7, 0.07
+"""Seconds of one tangent with 5000 unknowns, in proportion to them and to their power of
+FACTOR_GROWTH, and of what a job takes besides: processor of one thread, measured on jobs of all
+families to 15 % (docs/ladder.md). A machine's own pace is learnt."""
 ACCURACY = 0.05
 """The solver's own where none is asked for."""
-GROWTH = 1.1
-"""Seconds of an iteration grow with unknowns to this power (docs/performance.md)."""
+SURELY_LINEAR = 0.7
+"""Share of what may be left out below which one linear solution is expected to do."""
+MOST_UNKNOWNS = 400_000
+"""Larger meshes are not solved on (``continuum.climb``)."""
 
 
 @dataclass(frozen=True)
@@ -86,62 +98,78 @@ class LevelErrors:
     mean: tuple[float, ...]
     deviation: tuple[float, ...]
 
-    def chance_above(self, level: int, accuracy: float) -> float:
-        """Probability that the estimate on a level is above ``accuracy``."""
-        k = min(level, len(self.mean) - 1)
-        away = (math.log(accuracy) - self.mean[k]) / (self.deviation[k] * math.sqrt(2))
-        return 0.5 * math.erfc(away)
+    def on(self, level: int) -> tuple[float, float]:
+        """Mean and standard deviation on the ``level``-th finer mesh, counted from 1."""
+        k = min(level, len(self.mean)) - 1
+        return self.mean[k], self.deviation[k]
 
 
-def expected_work(
-    sizes: MeshSizes, accuracy: float | None, errors: LevelErrors, *, linear: bool = False
-) -> float:
-    """Newton iterations times unknowns to the power :data:`GROWTH`, summed over the meshes that a
-    job is expected to visit. ``accuracy`` None: it stops on the last mesh, whatever its error.
-    ``linear``: one linear solution per mesh is expected to do."""
+@dataclass(frozen=True, eq=False)
+class Outlook:
+    """A question, told before it is solved: ``features`` (f,) as of :data:`FEATURES`; ``sizes``:
+    unknowns of its meshes, coarsest first; ``work``: natural logarithm of :func:`work_by_level`,
+    the seconds of a usual job that ends on each of them. ``accuracy``: at which estimated error it
+    ends; None where one mesh was asked for. ``stands_apart``: a body of chambers that do."""
+
+    features: np.ndarray
+    sizes: tuple[int, ...]
+    work: tuple[float, ...]
+    accuracy: float | None
+    stands_apart: bool
+
+    @property
+    def first(self) -> int:
+        """The first mesh on which it can end."""
+        return len(self.sizes) - 1 if self.accuracy is None else min(1, len(self.sizes) - 1)
+
+    def level_of(self, unknowns: int) -> int:
+        """Which of its meshes has so many unknowns."""
+        away = np.abs(np.log(np.array(self.sizes, dtype=float) / max(unknowns, 1)))
+        return max(int(np.argmin(away)), self.first)
+
+
+def tangent_seconds(unknowns: int) -> float:
+    """What one tangent takes [s]: assembled, factorised, solved with."""
+    size = unknowns / 5e3
+    return ASSEMBLY_S * size + FACTOR_S * size**FACTOR_GROWTH
+
+
+def work_by_level(sizes: Sequence[int], *, linear: bool = False) -> tuple[float, ...]:
+    """Seconds of a usual job that ends on the first, second, ... of its meshes. ``linear``: one
+    linear solution per mesh is expected to do."""
     first, each, ending = PATH_SOLVES, ANCHOR_SOLVES, LAST_SOLVES
     if linear:
         first, each, ending = LINEAR_SOLVES, LINEAR_SOLVES, 0.0
-    work = first * sizes.coarsest**GROWTH
-    reached = 1.0
-    for level, unknowns in enumerate(sizes.finer):
-        last = level == len(sizes.finer) - 1
-        further = 0.0 if last else 1.0
-        if accuracy is not None and not last:
-            further = errors.chance_above(level, accuracy)
-        work += reached * (each + (1.0 - further) * ending) * unknowns**GROWTH
-        reached *= further
-    return work
+    costs = [tangent_seconds(unknowns) for unknowns in sizes]
+    found = [BESIDES_S + first * costs[0]]
+    for level in range(1, len(sizes)):
+        before = BESIDES_S + first * costs[0] + each * sum(costs[1:level])
+        found.append(before + (each + ending) * costs[level])
+    return tuple(found)
 
 
-def features(
-    design: Design,
-    scene: Scene,
-    *,
-    accuracy: float | None,
-    mesh: MeshChoice | None = None,
-    errors: Mapping[bool, LevelErrors],
-) -> np.ndarray:
-    """:data:`FEATURES` of a question, (f,). ``accuracy``: the one asked for (None: the solver's
-    own); where a ``mesh`` is asked for it decides about effects only. ``errors``: of massive bodies
-    (False) and of those whose chambers stand apart (True).
+def outlook(
+    design: Design, scene: Scene, *, accuracy: float | None, mesh: MeshChoice | None = None
+) -> Outlook:
+    """What can be told of a question. ``accuracy``: the one asked for (None: the solver's own);
+    where a ``mesh`` is asked for it decides about effects only.
 
     Raises :class:`InputError` for a design or mesh that cannot be built.
     """
     asked = ACCURACY if accuracy is None else accuracy
     decided = plan(design, scene, asked)
-    linear = not decided.on("finite_strain")
-    sizes = mesh_sizes(design, is_half=decided.on("symmetry"), mesh=mesh)
-    work = expected_work(
-        sizes, None if mesh is not None else asked, errors[sizes.stands_apart], linear=linear
-    )
-    strain, suction = cell_strain(chamber_row(design), scene)
+    finite = decided.by_name["finite_strain"]
+    # an estimate near what may be left out is seldom borne out, and the path followed after all
+    linear = not finite.on and (finite.change or 0.0) < SURELY_LINEAR * decided.threshold
+    meshes = mesh_sizes(design, is_half=decided.on("symmetry"), mesh=mesh)
+    sizes = (meshes.coarsest, *(n for n in meshes.finer if n <= MOST_UNKNOWNS))
+    forecast = Forecast(design, scene)
+    strain, suction = cell_strain(forecast.row, scene)
     share = strain / WALL_STRAIN[design.family]
     touching = ("self_contact", "plate_contact", "cylinder_contact")
     values = {
         "one": 1.0,
-        "work": math.log(work / 1e6),
-        "coarse": math.log(sizes.coarsest / 5e3),
+        "coarse": math.log(meshes.coarsest / 5e3),
         "oblique": float(design.family == "oblique"),
         "printed": float(design.family == "printed"),
         "bellows": float(design.family == "bellows"),
@@ -154,5 +182,46 @@ def features(
         "walls meet": float(decided.on("self_contact")),
         "watched": float(any(decided.watched(name) for name in touching)),
         "steps": 0.0 if linear else math.log((scene.steps or 6) / 6),
-    }
-    return np.array([values[name] for name in FEATURES])
+        "turn": 0.0 if linear else _log(_turn(forecast), 0.1, 10.0),
+        "closed": _log(
+            0.0 if scene.choice("self_contact") == "off" else _closed(forecast), 0.3, 10.0
+        ),
+        "pressed": _pressed(forecast) if decided.on("plate_contact")
+        or decided.on("cylinder_contact") else 0.0,
+        "weight": _log(forecast.weight_share, 0.03, 1.0),
+        "force": _log(
+            forecast.share(forecast.force.tip) + forecast.share(forecast.outside.tip), 0.03, 1.0
+        ),
+    }  # fmt: skip
+    return Outlook(
+        np.array([values[name] for name in FEATURES]),
+        sizes,
+        tuple(math.log(work) for work in work_by_level(sizes, linear=linear)),
+        None if mesh is not None else asked,
+        meshes.stands_apart,
+    )
+
+
+def _log(value: float, low: float, high: float) -> float:
+    return math.log(min(max(value, low), high))
+
+
+def _turn(forecast: Forecast) -> float:
+    """By which the pressure alone turns the free end [rad], as the linear cells have it."""
+    strains = forecast.inflation[:, 1:]
+    return float(np.linalg.norm((strains * forecast.rod.length[:, None]).sum(axis=0)))
+
+
+def _closed(forecast: Forecast) -> float:
+    """How many times over neighbouring walls close their gap in the linear cell."""
+    return max(forecast.row.gap_closing * forecast.pressure, 0.0)
+
+
+def _pressed(forecast: Forecast) -> float:
+    """How far the rod would come beyond the surface of an obstacle, over its way; at most 1."""
+    deepest = 0.0
+    for obstacle in (forecast.scene.plate, forecast.scene.cylinder):
+        distance = None if obstacle is None else obstacle_distances(forecast, obstacle)
+        if distance is not None and forecast.travel > 0.0:
+            deepest = max(deepest, -float(distance.min()) / forecast.travel)
+    return min(deepest, 1.0)

@@ -1,6 +1,7 @@
 """``pneustudio ladder``: error against seconds, rung by rung."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,11 @@ import pytest
 from click.testing import CliRunner, Result
 
 from actuators.cli import main
+from actuators.cli.past_jobs import remember
+from actuators.design import preset
+from actuators.mechanics.ladder import Rung
+from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.scene import Scene
 
 SMALL = ("slab-rectangle-low", "--set", "chamber_count=2", "--set", "length=35mm")
 
@@ -52,6 +58,21 @@ def test_finite_elements_run_are_measured_and_remembered(own_folder: Path) -> No
     (own_folder / "past_jobs.jsonl").open("a").write("not a job\n")
     again = answer(*SMALL, "--pressure", "3kPa", "--run", "none")
     assert again["learned_from_jobs"] == 1
+
+
+def test_the_first_job_of_a_process_is_remembered_without_its_loading(own_folder: Path) -> None:
+    design = preset("slab-rectangle-low").design
+    short = Response(
+        design, Scene(3e3), "fe", Outcome.CONVERGED, (), wall_s=4.0, cpu_s=2.0, unknowns=3199,
+        timings={"set_up": 3.0, "coarse_path": 1.0},
+    )  # fmt: skip
+    remember(short, Rung("fe", 0.3), is_first=True)
+    assert not (own_folder / "past_jobs.jsonl").exists()
+    remember(replace(short, wall_s=12.0, cpu_s=8.0), Rung("fe", 0.3), is_first=True)
+    remember(replace(short, cpu_s=None), Rung("fe", 0.3))
+    remember(replace(short, outcome=Outcome.CANCELLED), Rung("fe", 0.3))
+    lines = (own_folder / "past_jobs.jsonl").read_text().splitlines()
+    assert [json.loads(line)["seconds"] for line in lines] == [6.0, 4.0]
 
 
 def test_a_budget_that_nothing_fits_runs_nothing_and_is_stated() -> None:

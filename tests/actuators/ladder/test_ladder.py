@@ -6,10 +6,8 @@ from actuators.design import preset
 from actuators.errors import QuestionError
 from actuators.mechanics.ladder import (
     Answer,
-    CostModel,
     Ladder,
     Rung,
-    Timings,
     ask_instant,
     build_ladder,
     cost_record,
@@ -25,7 +23,7 @@ from actuators.mechanics.scene import Scene
 from tests.actuators.ladder.answers import made_up
 
 SLAB = preset("slab-rectangle-low").design
-COSTS = CostModel(cost_record().timings, Timings.of([]), cost_record().spread)
+COSTS = cost_record().model([])
 
 
 def instant_ladder(scene: Scene, *more: Answer, spent: dict[Rung, float] | None = None) -> Ladder:
