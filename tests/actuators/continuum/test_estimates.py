@@ -1,6 +1,7 @@
 """Error estimates, and the meshes they lead to."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -31,6 +32,7 @@ from benchmarks.mini_pneu_net import (
     REFERENCE_TIP,
     mini_pneu_net,
 )
+from benchmarks.true_errors import PROBLEMS, Ladder
 
 HERE = Measured(
     tip=np.array([0.0, 0.0, -0.04]), angle=0.8, growth=2e-6, size=0.1, rest_volume=1e-5,
@@ -152,3 +154,38 @@ def test_meshes_have_names_and_layers() -> None:
         with pytest.raises(QuestionError) as caught:
             layers_of(slab, bad)
         assert caught.value.field == "mesh"
+
+
+def test_directions_not_refined_count_six_percent_where_walls_press(tmp_path: Path) -> None:
+    """Two chambers of oblique-90: the first halving changes the tip by 0.9 % and hides 11 %."""
+    problem = PROBLEMS["straight"]
+    measured = Ladder(problem, tmp_path).measured([(0, 1, 0), (0, 1, 1), (1, 1, 1)])
+    best = measured[1, 1, 1]
+    assert all(each.walls_meet for each in measured.values())
+    for before, layers in (((0, 0, 0), (0, 1, 0)), ((0, 1, 0), (0, 1, 1))):
+        moved = change(measured[before], measured[layers])
+        true = change(measured[layers], best)
+        said = estimates(moved, layers, walls_meet=True)
+        for name in ("tip", "angle"):
+            assert true[name] <= said[name]
+            assert said[name] >= 0.06 * layers.count(0)
+    # without the rule the first estimate would be below a third of the true error
+    moved = change(measured[0, 0, 0], measured[0, 1, 0])
+    true = change(measured[0, 1, 0], best)
+    assert estimates(moved, (0, 1, 0))["tip"] < true["tip"] / 3
+
+
+@pytest.mark.slow
+def test_the_accuracy_asked_for_refines_where_walls_press() -> None:
+    problem = PROBLEMS["straight"]
+    rough, better = (
+        solve(problem.design, problem.scene, accuracy=accuracy) for accuracy in (0.15, 0.05)
+    )
+    assert better.unknowns > 2 * rough.unknowns
+    for response, accuracy in ((rough, 0.15), (better, 0.05)):
+        errors = response.error_estimates
+        assert max(errors["tip"], errors["angle"]) <= accuracy
+        assert (response.path[-1].max_contact_pressure or 0.0) > 0.0
+    tips = [np.array(response.path[-1].tip_displacement) for response in (rough, better)]
+    off = np.linalg.norm(tips[0] - tips[1]) / np.linalg.norm(tips[1])
+    assert 0.05 < off < rough.error_estimates["tip"] + better.error_estimates["tip"]
