@@ -29,13 +29,14 @@ BESIDE = Rung("cell-rod")
 @dataclass(eq=False)
 class _Known:
     """What is there about one question, by rung. ``jobs``: under way. ``parts``: what runs had
-    found that were cancelled or ran out of time."""
+    found that were cancelled or ran out of time; ``cancelled``: that had not found a point yet."""
 
     answers: list[Answer] = field(default_factory=list)
     refusals: dict[Rung, str] = field(default_factory=dict)
     spent: dict[Rung, float] = field(default_factory=dict)
     jobs: dict[Rung, str] = field(default_factory=dict)
     parts: dict[Rung, Answer] = field(default_factory=dict)
+    cancelled: set[Rung] = field(default_factory=set)
 
 
 def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswer:
@@ -60,6 +61,8 @@ def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswe
             entry["outcome"] = part.outcome.value
             if len(part.pressure):
                 entry["ends_at_kPa"] = 1e-3 * float(part.pressure[-1])
+        elif point.rung in known.cancelled and point.state == "predicted":
+            entry["outcome"] = "cancelled"
     return LadderAnswer.model_validate(document)
 
 
@@ -106,17 +109,21 @@ def _read_results(store: Store, design: Design, scene: Scene, known: _Known) -> 
 
 
 def _read_jobs(store: Store, design: Design, scene: Scene, known: _Known) -> None:
-    """Jobs under way, and the words of those that failed with this version."""
-    rows = store.list_jobs(
-        content=(design.digest, scene.digest), states=("queued", "running", "failed"), limit=100
-    )
-    answered = {answer.rung for answer in known.answers}
+    """Jobs under way, the words of those that failed with this version, and the time spent on those
+    that were cancelled before they found anything. The newest of a rung counts."""
+    rows = store.list_jobs(content=(design.digest, scene.digest), limit=100)
+    answered = {answer.rung for answer in known.answers} | set(known.parts)
     for row in rows:
         rung = _rung(row)
         if row.active:
             known.jobs.setdefault(rung, row.id)
-        elif row.science_version == science_version() and rung not in answered and row.error:
+        elif row.science_version != science_version() or rung in answered:
+            continue
+        elif row.state == "failed" and row.error and rung not in known.cancelled:
             known.refusals.setdefault(rung, _in_words(row.error, row.advice))
+        elif row.state == "cancelled" and row.started_at and rung not in known.refusals:
+            known.cancelled.add(rung)
+            known.spent[rung] = max(known.spent.get(rung, 0.0), row.elapsed_s() or 0.0)
 
 
 def _in_words(error: str, advice: str | None) -> str:

@@ -99,6 +99,27 @@ def test_a_run_on_one_mesh_is_a_point_of_its_own_however_it_ended(tmp_path: Any)
         assert found["fe 5 %"]["state"] == "predicted"
 
 
+def test_a_job_cancelled_before_its_first_point_says_how_long_it_was_waited_for(
+    tmp_path: Any,
+) -> None:
+    with client_on(settings_in(tmp_path)) as client:
+        store: Store = client.app.state.store  # type: ignore[attr-defined]
+        body = {"version_id": saved(client)["id"], "scene": QUESTION, "accuracy": 0.05}
+        job = client.post("/api/jobs", json=body).json()
+        assert points(client)[1]["fe 5 %"]["job_id"] == job["id"]
+        taken = store.claim(job["id"], worker="w1@bench", science_version=science_version())
+        assert taken is not None
+        client.post(f"/api/jobs/{job['id']}/cancel")
+        assert store.confirm_cancel(job["id"], taken.attempt)
+        found = points(client)[1]["fe 5 %"]
+        assert (found["state"], found["outcome"]) == ("predicted", "cancelled")
+        assert "stopped after" in found["reason"]
+        assert found["job_id"] is None
+        # asked again and answered, that is forgotten
+        finish(client, accuracy=0.05, seconds=7.0, percent=2.0)
+        assert points(client)[1]["fe 5 %"]["state"] == "measured"
+
+
 def test_loads_beyond_an_instant_rung_are_refused_in_its_words(client: TestClient) -> None:
     scene = {**QUESTION, "plate": {"gap_mm": 5.0, "normal": [0, 0, 1]}}
     answer = client.post("/api/ladder", json={"design": SLAB, "scene": scene}).json()

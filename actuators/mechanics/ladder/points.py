@@ -1,5 +1,6 @@
 """Error against seconds: what each rung has cost, or would."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
@@ -111,18 +112,28 @@ class Typical:
 def best_answer(answers: Sequence[Answer], typical: Mapping[Rung, Typical]) -> Answer | None:
     """The complete answer with the smallest estimate of its own; where none has one, that of the
     rung with the smallest typical error. Where answers disagree about a limit point before the end
-    of the path, the highest rung decides which of them stand."""
+    of the path, the highest rung decides which of them stand: where no other ends as it does, it is
+    the best one even without an estimate (finite elements on one mesh)."""
     complete = [a for a in answers if a.is_complete]
     estimated = [a for a in complete if a.own_error is not None]
     known = estimated or [a for a in complete if a.rung in typical]
 
     def error(answer: Answer) -> float:
-        own = answer.own_error
-        return own if own is not None else typical[answer.rung].most
+        return math.inf if (band := _band(answer, typical)) is None else band
 
-    deciding = min(known, key=lambda a: (-_height(a.rung), error(a)), default=None)
-    alike = [a for a in known if deciding is not None and a.outcome == deciding.outcome]
-    return min(alike, key=error, default=None)
+    deciding = min(complete, key=lambda a: (-_height(a.rung), error(a)), default=None)
+    if deciding is None or not known:
+        return None
+    alike = [a for a in known if a.outcome == deciding.outcome]
+    return min(alike, key=error, default=deciding)
+
+
+def _band(answer: Answer, typical: Mapping[Rung, Typical]) -> float | None:
+    """What an answer is off by, by its own estimate or as is typical of its rung."""
+    if answer.own_error is not None:
+        return answer.own_error
+    usual = typical.get(answer.rung)
+    return None if usual is None else usual.most
 
 
 def measured_point(answer: Answer, best: Answer | None, typical: Mapping[Rung, Typical]) -> Point:
@@ -144,14 +155,16 @@ def measured_point(answer: Answer, best: Answer | None, typical: Mapping[Rung, T
         return replace(_by_itself(point, answer, usual), is_best=best is not None)
     if _height(answer.rung) > _height(best.rung):
         return _by_itself(point, answer, usual)  # nothing can be measured by what is less accurate
-    band = best.own_error if best.own_error is not None else typical[best.rung].most
-    apart = difference(answer, best)
-    if apart is None:
-        return _by_itself(point, answer, usual)
-    error = Span(apart.tip, max(apart.tip - band, 0.0), apart.tip + band)
+    band, apart = _band(best, typical), difference(answer, best)
     contradiction = _contradiction(answer, best)
     if contradiction is not None:
         point = replace(point, is_contradicted=True, reason=contradiction)
+    if apart is None or band is None:
+        return _by_itself(point, answer, usual)
+    if contradiction is not None:
+        told = f"{contradiction} Its error is told at the last pressure that both have."
+        point = replace(point, reason=told)
+    error = Span(apart.tip, max(apart.tip - band, 0.0), apart.tip + band)
     return replace(
         point, error=error, error_kind="against best", error_source=best.rung.label, apart=apart
     )
@@ -159,13 +172,12 @@ def measured_point(answer: Answer, best: Answer | None, typical: Mapping[Rung, T
 
 def _contradiction(answer: Answer, best: Answer) -> str | None:
     """Where two complete answers differ about a limit point before the end of the path."""
-    compared = "Its error is told at the last pressure that both have."
     if best.outcome is Outcome.LIMIT_POINT and answer.outcome is Outcome.CONVERGED:
         where = f"{_limit(best) / 1e3:.4g} kPa, where {best.rung.label} finds a limit point"
-        return f"goes on beyond {where}: its end is no answer. {compared}"
+        return f"goes on beyond {where}: its end is no answer."
     if best.outcome is Outcome.CONVERGED and answer.outcome is Outcome.LIMIT_POINT:
         where = f"{_limit(answer) / 1e3:.4g} kPa, where {best.rung.label} finds none"
-        return f"ends at a limit point at {where}: it is no answer beyond. {compared}"
+        return f"ends at a limit point at {where}: it is no answer beyond."
     return None
 
 

@@ -87,3 +87,22 @@ def test_where_answers_differ_about_a_limit_point_the_highest_rung_decides() -> 
     assert short.is_contradicted
     assert "limit point at 4 kPa" in (short.reason or "")
     assert not measured_point(made_up(ENERGY), whole, USUAL).is_contradicted
+
+
+def test_finite_elements_on_one_mesh_decide_about_a_limit_point_without_an_estimate() -> None:
+    cell_rod = made_up(Rung("cell-rod"), estimates={"tip": 9.0})
+    coarse = made_up(Rung("fe", mesh="coarse"), to=4.0, outcome="limit_point", limit=4.0)
+    assert best_answer([made_up(ENERGY), cell_rod, coarse], USUAL) is coarse
+    beyond = measured_point(cell_rod, coarse, USUAL)
+    assert beyond.is_contradicted
+    assert "goes on beyond 4 kPa" in (beyond.reason or "")
+    # what has no estimate of its own is no measure: the other's error stays its own estimate
+    assert beyond.error_kind == "own estimate"
+    itself = measured_point(coarse, coarse, USUAL)
+    assert itself.is_best
+    assert itself.error is None
+    # alike in how they end, the one that knows its error is the best
+    alike = made_up(Rung("fe", mesh="coarse"))
+    assert best_answer([cell_rod, alike], USUAL) is cell_rod
+    limited = made_up(FE5, to=4.1, outcome="limit_point", limit=4.1, estimates={"tip": 3.0})
+    assert best_answer([cell_rod, coarse, limited], USUAL) is limited
