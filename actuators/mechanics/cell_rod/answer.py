@@ -22,10 +22,11 @@ from actuators.mechanics.cell_rod.cells import (
 )  # fmt: skip
 from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, reached
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
-from actuators.mechanics.cell_rod.held import give, hold, shifted
+from actuators.mechanics.cell_rod.held import give, hold, turned
 from actuators.mechanics.cell_rod.report import (
     BEYOND_TRUST,
     advice_of,
+    bent_strains,
     cell_rod_effects,
     cell_rod_notes,
     estimate,
@@ -36,12 +37,19 @@ from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.rod.answer import centreline, path_points
 from actuators.mechanics.rod.follow import Laws, LoadedPath, follow_laws
 from actuators.mechanics.rod.pieces import Layout, layout_of
-from actuators.mechanics.rod.surroundings import chain_of, obstacles_of
+from actuators.mechanics.rod.surroundings import (
+    chain_of,
+    finest_of,
+    obstacles_of,
+    refuse_needles,
+)  # fmt: skip
 from actuators.mechanics.scene import Scene
 
 BENDING = 2
 VOLUME_ERROR, VOLUME_CORRECTIONS = 1e-7, 8
 """Of a prescribed volume; corrections that may be made to come so near."""
+CRUSHED = 2.0
+"""Strain at the body's top by what loads bend it, beyond which a chamber is no piece of a rod."""
 AT_REST = 1e-3
 """Change of the cavity by weight, as a fraction, that a prescribed volume does not take back."""
 
@@ -91,7 +99,7 @@ class Question:
         chain = chain_of(self.design, layout, self.scene)
         path = follow_laws(laws, chain, obstacles)
         if self.grip is not None:
-            path = shifted(path, chambers, self.grip, layout, chain, pressures)
+            path = turned(path, chambers, self.grip, layout, chain, pressures)
         found = len(path.positions)
         # weight and obstacles bend chambers, which changes their cavities a little
         bent = path.strains[..., :4] - laws.free[:found, :, :4]
@@ -134,6 +142,7 @@ def piece_laws(
 def answer(design: Design, scene: Scene, steps: int) -> Response:
     """Path of ``design`` under ``scene`` in equal steps of pressure or volume."""
     begun = time.perf_counter()
+    refuse_needles(design, scene)
     row = chamber_row(design)
     paths, weights = row_paths(design, scene)
     shears = weights @ row_shear(design)
@@ -145,7 +154,7 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         if solid is not None:
             ends, changes = np.array([solid.growth, solid.further]), (*changes, solid)
     celled = time.perf_counter()
-    layout = layout_of(design, row)
+    layout = layout_of(design, row, finest=finest_of(design, scene))
     grip = grip_of(design)
     if grip is not None:
         shears[:, 1] /= grip.shear
@@ -155,11 +164,13 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         row_apart(design, paths) if _loaded(scene) else None,
     )  # fmt: skip
     solved, short = _to_the_end(question, scene, steps)
+    solved, crushed = believed(question, solved)
     ended = time.perf_counter()
     found = len(solved.path.positions)
     outcome, advice = advice_of(
-        question.paths, scene, solved.pressures, found, loads=solved.path.loads, short=short
-    )
+        question.paths, scene, solved.pressures, found, loads=solved.path.loads, short=short,
+        crushed=crushed,
+    )  # fmt: skip
     trusted = trusted_to(paths, solved.pressures[:found])
     response = Response(
         design=design,
@@ -179,6 +190,20 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         timings={"cell": celled - begun, "rod": ended - celled},
     )
     return replace(response, wall_s=time.perf_counter() - begun)
+
+
+def believed(question: Question, solved: Solved) -> tuple[Solved, float]:
+    """The path up to where loads bend chambers further than any law of theirs is known, one state
+    at least; and by how much, as a strain at their top, 0 where they do not."""
+    path = solved.path
+    strains = bent_strains(question, solved)
+    far = np.flatnonzero(strains > CRUSHED)
+    if len(far) == 0:
+        return solved, 0.0
+    kept = max(int(far[0]), 1)
+    names = ("strains", "positions", "frames", "obstacle_force", "penetration")
+    shorter = replace(path, **{name: getattr(path, name)[:kept] for name in names})
+    return replace(solved, path=shorter, volume=solved.volume[:kept]), float(strains[far[0]])
 
 
 def _loaded(scene: Scene) -> bool:

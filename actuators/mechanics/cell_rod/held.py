@@ -15,7 +15,8 @@ BENDING, UPRIGHT = 2, 5
 
 
 def hold(laws: Laws, layout: Layout, chambers: Chambers, grip: Grip) -> None:
-    """Give the first piece what the clamp adds to its compliance and free turn."""
+    """Give the first piece what the clamp adds to its compliance, free turn and free shift, and the
+    last one what pressure lifts the tip."""
     length = layout.length[0]
     inside = np.linalg.inv(chambers.stiffness[:, 0])[:, BENDING, BENDING]
     own = np.linalg.inv(laws.stiffness[:, 0])
@@ -26,7 +27,11 @@ def hold(laws: Laws, layout: Layout, chambers: Chambers, grip: Grip) -> None:
     own[:, UPRIGHT, UPRIGHT] += grip.shift * inside / length
     laws.stiffness[:, 0] = np.linalg.inv(own)
     laws.bent[0] = 0.0
-    laws.free[:, 0, BENDING] += chambers.free[:, 0, BENDING] * grip.pressed_turn / length
+    pressed = chambers.free[:, 0, BENDING] / length
+    laws.free[:, 0, BENDING] += pressed * grip.pressed_turn
+    laws.free[:, 0, UPRIGHT] += pressed * grip.pressed_shift
+    end = chambers.free[:, -1, BENDING] / layout.length[-1]
+    laws.free[:, -1, UPRIGHT] += end * grip.pressed_lift
 
 
 def give(laws: Laws, layout: Layout, chambers: Chambers, root: Root) -> None:
@@ -42,27 +47,22 @@ def give(laws: Laws, layout: Layout, chambers: Chambers, root: Root) -> None:
     laws.free[:, border, 1:4] += pressed / length
 
 
-def shifted(
+def turned(
     path: LoadedPath, chambers: Chambers, grip: Grip, layout: Layout, chain: Chain,
     pressures: np.ndarray,
 ) -> LoadedPath:  # fmt: skip
-    """Shapes at ``pressures`` (k,) with what pressure shifts the inside's line at the clamp, and
-    with the free end's own place and turn under pressure and loads."""
+    """Shapes at ``pressures`` (k,) with the free end's own turn under pressure and loads."""
     found = len(path.positions)
-    curvature = chambers.free[:found, [0, -1], BENDING]
     compliance = np.linalg.inv(chambers.stiffness[:found, 0])[:, BENDING, BENDING]
-    frames, positions = path.frames.copy(), path.positions.copy()
-    up = path.frames[..., 2].copy()
+    frames, up = path.frames.copy(), path.frames[:, -1, :, 2]
     # the load that the end feels: per area of the underside, and on the end face
-    down = -up[:, -1]
+    down = -up
     area = float((chain.width * layout.length).sum())
     spread = (down @ chain.gravity) * float(chain.weight.sum()) / area - chain.outside
     loads = np.stack([spread, down @ chain.tip_force], axis=-1)
     turn = compliance * (loads @ grip.tip) + grip.pressed_tip * pressures[:found]
-    positions[:, 1:] += (grip.pressed_shift * curvature[:, 0])[:, None, None] * up[:, :1]
-    positions[:, -1] += (grip.pressed_lift * curvature[:, 1])[:, None] * up[:, -1]
     along = frames[:, -1, :, 0].copy()
     cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
     frames[:, -1, :, 0] = cosine * along + sine * down
-    frames[:, -1, :, 2] = cosine * up[:, -1] + sine * along
-    return replace(path, positions=positions, frames=frames)
+    frames[:, -1, :, 2] = cosine * up + sine * along
+    return replace(path, frames=frames)

@@ -30,10 +30,17 @@ chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the
 
 def advice_of(
     paths: Sequence[CellPath], scene: Scene, pressures: np.ndarray, found: int, *,
-    loads: float, short: bool,
+    loads: float, short: bool, crushed: float = 0.0,
 ) -> tuple[Outcome, str | None]:  # fmt: skip
     """How the path ended, and what to do about it. ``pressures`` (k,), of which the first
-    ``found`` were; ``loads``: share of weight and outer loads borne before any inflation."""
+    ``found`` were; ``loads``: share of weight and outer loads borne before any inflation;
+    ``crushed``: strain by what loads bend the body, if that is more than can be told."""
+    if crushed > 0.0:
+        return Outcome.STALLED, (
+            f"The scene's loads bend the body so sharply (its top would be strained by "
+            f"{crushed:.0%}) that its chambers are crushed or folded, which no rod tells. Lower "
+            f"{_named_loads(scene)}, make the body stiffer, or use the rung fe."
+        )
     if loads < 1.0:
         return Outcome.STALLED, (
             f"The rod found no equilibrium under {_named_loads(scene)}, before any inflation. "
@@ -160,13 +167,7 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
             f"{100 * estimate(question.design):.2g} % of its way, beyond it may be anywhere."
         )
     if len(solved.path.strains):
-        bent = (
-            solved.path.strains[..., BENDING]
-            - question.layout.free(solved.chambers.free[: len(solved.path.strains)])[..., BENDING]
-        )
-        strain = float(np.abs(bent[:, question.layout.chambered]).max()) * end_height(
-            question.design
-        )
+        strain = float(bent_strains(question, solved).max())
         if strain > SHOWN:
             notes.append(
                 "The largest stretch is that of the chamber under pressure alone: what loads bend "
@@ -176,6 +177,14 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     if depth > 2e-3 * question.design.length:
         notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")
     return tuple(notes)
+
+
+def bent_strains(question: Question, solved: Solved) -> np.ndarray:
+    """Strain (k,) at the body's top by what loads bend its chambers, largest along it."""
+    strains = solved.path.strains
+    free = question.layout.free(solved.chambers.free[: len(strains)])
+    bent = np.abs(strains[..., BENDING] - free[..., BENDING])[:, question.layout.chambered]
+    return bent.max(axis=1, initial=0.0) * end_height(question.design)
 
 
 def _stretched_far(question: Question, pressure: float) -> list[str]:

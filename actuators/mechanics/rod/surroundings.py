@@ -3,8 +3,10 @@
 import numpy as np
 
 from actuators.design import Design
+from actuators.errors import QuestionError
+from actuators.mechanics.obstacles import Cylinder
 from actuators.mechanics.rod.chain import Chain, Obstacles, no_obstacles
-from actuators.mechanics.rod.pieces import Layout, end_height, outline
+from actuators.mechanics.rod.pieces import FINEST, Layout, end_height, outline
 from actuators.mechanics.scene import Scene
 
 DEPTH = 5e-5
@@ -12,6 +14,15 @@ DEPTH = 5e-5
 twentieth of what the 3D solver's error estimate resolves."""
 SPREAD = 1 / 8
 """Share of the length over which that force is expected."""
+UNSEEN = 2e-4
+"""How far a cylinder may enter between two points of the rod [lengths of the body]."""
+MOST_PIECES, MOST_ACROSS = 320, 33
+"""Pieces, and points across, that are looked at for that."""
+BESIDE_CLAMP = 1.0
+"""Of the body's height: so near its clamp it hardly moves, and the rod, which tells what the clamp
+does in a piece without length, says nothing of where its surface is."""
+ACROSS = 1 - 1e-9
+"""Part of a cylinder's axis along X2 from which it lies straight across the body."""
 
 
 def chain_of(design: Design, layout: Layout, scene: Scene) -> Chain:
@@ -38,7 +49,7 @@ def obstacles_of(design: Design, layout: Layout, scene: Scene, moment: float) ->
     pieces = len(layout.length)
     if scene.plate is None and scene.cylinder is None:
         return no_obstacles(pieces)
-    across, above, share = _touching_points(design, layout)
+    across, above, share = _touching_points(design, layout, scene.cylinder)
     kinds: list[tuple[int, np.ndarray, np.ndarray, float]] = []
     if scene.plate is not None:
         normal = np.array(scene.plate.normal, dtype=float)
@@ -69,13 +80,59 @@ def obstacles_of(design: Design, layout: Layout, scene: Scene, moment: float) ->
     )
 
 
-def _touching_points(design: Design, layout: Layout) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Edges and middle of underside and top at every border, and the length that each stands
-    for: (s + 1, 6) each, by Simpson's rule across."""
+def finest_of(design: Design, scene: Scene) -> int:
+    """Least number of pieces with which no cylinder of the scene slips in between their borders."""
+    if scene.cylinder is None:
+        return FINEST
+    wanted = np.ceil(design.length / _apart(design, scene.cylinder))
+    return int(np.clip(wanted, FINEST, MOST_PIECES))
+
+
+def refuse_needles(design: Design, scene: Scene) -> None:
+    """Raises :class:`QuestionError` for a cylinder so thin beside a body so long that it could slip
+    between the rod's points even so."""
+    if scene.cylinder is None:
+        return
+    apart = design.length / MOST_PIECES / 2  # twice as far as it should be is borne
+    thinnest = apart**2 / (8 * UNSEEN * design.length)
+    if scene.cylinder.radius < thinnest:
+        raise QuestionError(
+            f"The cylinder's radius is {scene.cylinder.radius * 1e3:.3g} mm: beside a body of "
+            f"{design.length * 1e3:.4g} mm it would slip between the places where the rod feels "
+            "for it.",
+            field="cylinder", value=f"{scene.cylinder.radius * 1e3:.3g} mm",
+            mend=f"Take a radius of {thinnest * 1e3:.2g} mm or more, or use the rung fe.",
+        )  # fmt: skip
+
+
+def _apart(design: Design, cylinder: Cylinder) -> float:
+    """How far apart two points on a straight line may be [m], for a cylinder that touches between
+    them to have entered by :data:`UNSEEN` when it reaches one."""
+    return float(np.sqrt(8 * cylinder.radius * UNSEEN * design.length))
+
+
+def _touching_points(
+    design: Design, layout: Layout, cylinder: Cylinder | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points across underside and top at every border, and the length that each stands for: (s + 1,
+    m) each, by Simpson's rule. Edges and middles meet a plate and a bar across the body; bars that
+    lie otherwise are met by as many as it takes, on the sides too."""
     width, height = outline(design, layout.stations)
     ends = np.pad(layout.length / 2, 1)
     along = ends[:-1] + ends[1:]
-    across = width[:, None] / 2 * np.array([-1.0, 0.0, 1.0, -1.0, 0.0, 1.0])
-    above = np.broadcast_to([0.0, 0.0, 0.0, height, height, height], across.shape)
-    weight = np.array([1.0, 4.0, 1.0, 1.0, 4.0, 1.0]) / 6
-    return across, np.ascontiguousarray(above), along[:, None] * weight
+    count, beside = 3, 0
+    if cylinder is not None and abs(cylinder.axis[1]) < ACROSS:
+        apart = _apart(design, cylinder)
+        count = int(np.clip(2 * np.ceil(width.max() / apart / 2) + 1, 3, MOST_ACROSS))
+        beside = int(np.clip(np.ceil(height / apart) - 1, 0, MOST_ACROSS))
+    line = np.linspace(-1.0, 1.0, count)
+    simpson = np.where(np.arange(count) % 2 == 1, 4.0, 2.0)
+    simpson[[0, -1]] = 1.0
+    simpson /= simpson.sum()
+    side = np.repeat([-1.0, 1.0], beside)
+    level = np.tile(np.arange(1, beside + 1) / (beside + 1), 2)
+    across = width[:, None] / 2 * np.concatenate([line, line, side])
+    up = height * np.concatenate([np.zeros(count), np.ones(count), level])
+    share = np.concatenate([simpson, simpson, np.full(2 * beside, 1 / max(beside, 1))])
+    along = np.where(layout.stations < BESIDE_CLAMP * height, 0.0, along)
+    return across, np.ascontiguousarray(np.broadcast_to(up, across.shape)), along[:, None] * share

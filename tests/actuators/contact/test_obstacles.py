@@ -5,9 +5,11 @@ import pytest
 import scipy.sparse as sp
 
 from actuators.mechanics.continuum.contact import Obstacle, Tangent, contact_law, outside
+from actuators.mechanics.continuum.contact.build import obstacles
 from actuators.mechanics.continuum.contact.surface import TOLERANCE, ContactSurface
 from actuators.mechanics.continuum.system import ContinuumSystem
 from actuators.mechanics.obstacles import Cylinder, Plate
+from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh, mesh_body
 from tests.actuators.contact.pressed import MU, RUBBER, Place, box, press, reaction, straight
 
@@ -97,6 +99,18 @@ def test_a_needle_between_the_points_of_contact_is_seen() -> None:
     sunk = mesh.nodes - [0.0, 0.0, 0.9e-3]
     assert contact.gaps(sunk).min() > 0.0  # no point of contact lies in it
     assert 1e-4 < contact.depth(sunk) <= 2e-4  # its top lies 0.2 mm inside
+
+
+@pytest.mark.parametrize("radius", [1e-4, 3e-4, 1e-3])
+def test_a_needle_of_a_scene_is_pressed_wherever_it_lies(radius: float) -> None:
+    """As many points as it takes: between them it may enter by a thousandth of the body."""
+    mesh = mesh_body(box((10e-3, 10e-3, 10e-3)), uniform=(4, 4, 1))
+    law = contact_law(mesh, [RUBBER])
+    for place in np.linspace(3e-3, 4e-3, 7):
+        scene = Scene(1e3, cylinder=Cylinder(radius, (place, 0, -radius - 1e-4)))
+        (needle,) = obstacles(mesh, law, scene)
+        assert needle.force(mesh.nodes - [0.0, 0.0, 1.2e-4])[2] < 0.0
+        assert np.abs(needle.force(mesh.nodes)).max() < 1e-12
 
 
 def test_uniform_pressure_at_the_nodes() -> None:

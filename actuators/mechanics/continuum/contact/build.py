@@ -9,7 +9,12 @@ from actuators.errors import QuestionError
 from actuators.materials import Material
 from actuators.mechanics.continuum.contact.interaction import Interaction
 from actuators.mechanics.continuum.contact.obstacle import Obstacle
-from actuators.mechanics.continuum.contact.points import WALL_POINTS
+from actuators.mechanics.continuum.contact.points import (
+    OBSTACLE_POINTS,
+    WALL_POINTS,
+    FacePoints,
+    even_points,
+)  # fmt: skip
 from actuators.mechanics.continuum.contact.self_contact import SelfContact
 from actuators.mechanics.continuum.contact.surface import (
     ContactLaw,
@@ -17,12 +22,16 @@ from actuators.mechanics.continuum.contact.surface import (
     inside,
     outside,
 )
-from actuators.mechanics.obstacles import Cylinder
+from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.mechanics.scene import Scene
 from actuators.meshing import HexMesh
 
 CONCENTRATED = 6.0
 """Contact pressure over the loads', counted amply: 2 to 4 where walls meet, measured."""
+SLIPS = 1e-3
+"""How far [body sizes] a cylinder may enter between two points where it is looked for."""
+DIVISIONS = (4, 8, 16, 32)
+"""Of a face's sides."""
 
 
 def interactions(
@@ -44,15 +53,30 @@ def interactions(
 def obstacles(mesh: HexMesh, law: ContactLaw, scene: Scene) -> tuple[Obstacle, ...]:
     """Plate and cylinder of a scene. Raises :class:`QuestionError` for a cylinder inside the
     undeformed body."""
-    surface = outside(mesh)
     found = tuple(
-        Obstacle(surface, law, obstacle)
+        Obstacle(outside(mesh, _points(mesh, obstacle)), law, obstacle)
         for obstacle in (scene.plate, scene.cylinder)
         if obstacle is not None
     )
     for obstacle in found:
         _refuse_overlap(obstacle, mesh)
     return found
+
+
+def _points(mesh: HexMesh, obstacle: Plate | Cylinder) -> FacePoints:
+    """Where an obstacle is looked for on every face: in as many places as it takes for a cylinder
+    not to enter between two of them by more than :data:`SLIPS` of the body's size."""
+    if isinstance(obstacle, Plate):
+        return OBSTACLE_POINTS
+    patch = mesh.nodes[mesh.outer_faces.nodes]
+    axis = np.array(obstacle.axis)
+    extent = np.ptp(patch - (patch @ axis)[..., None] * axis, axis=1)
+    side = float(np.linalg.norm(extent, axis=1).max())
+    size = float(np.ptp(mesh.nodes, axis=0).max())
+    apart = math.sqrt(8 * obstacle.radius * SLIPS * size)
+    return next(
+        (even_points(n) for n in DIVISIONS if side / n <= apart), even_points(DIVISIONS[-1])
+    )
 
 
 def holds_cavity(contacts: Sequence[Interaction]) -> bool:

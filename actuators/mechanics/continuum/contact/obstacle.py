@@ -43,7 +43,9 @@ class Obstacle:
             self._kind = CYLINDER
             self._shape = np.concatenate([axis, centre, [obstacle.radius]])
             self._deepest = 0.5 * obstacle.radius
-            near = float(self._distance(surface.nodes).min())
+            patch = surface.nodes[surface.faces]
+            looked = np.einsum("gn,fni->fgi", surface.points.values, patch)
+            near = float(self._distances_of(looked.reshape(-1, 3)).min())
             if 0.0 <= near < law.onset:
                 self._shape[6] -= law.onset - near
 

@@ -4,7 +4,8 @@ stands for.
 A rigid obstacle is looked for at 5 x 5 points: nodes, and the middles between them. Gauss points
 leave the edges to themselves, which entered a plate by 20 times the contact's tolerance. Nodes
 alone leave a face that is pressed in part room to sag between them (by an eighth of what its next
-node is lifted), and twice as many points along each direction a quarter of that.
+node is lifted), and twice as many points along each direction a quarter of that. A thin cylinder
+is looked for at as many more as it could slip between.
 
 Walls that meet each other are often meshed alike: their nodes stand just opposite to the joints of
 faces, and go to and fro between the normals on either side. They are looked at in Gauss points.
@@ -36,8 +37,15 @@ def product_points(line: np.ndarray, weights: np.ndarray) -> FacePoints:
     return FacePoints(local, np.outer(weights, weights).ravel(), values, slopes)
 
 
-OBSTACLE_POINTS = product_points(np.linspace(-1, 1, 5), np.array([1, 4, 2, 4, 1]) / 6)
-"""Simpson's rule on either half: uniform pressure makes the nodal forces that it should."""
+def even_points(parts: int) -> FacePoints:
+    """``parts`` (even) intervals along both directions, by Simpson's rule: uniform pressure makes
+    the nodal forces that it should where their number is a multiple of 4."""
+    weights = np.where(np.arange(parts + 1) % 2 == 1, 4.0, 2.0)
+    weights[[0, -1]] = 1.0
+    return product_points(np.linspace(-1, 1, parts + 1), weights * (2 / weights.sum()))
+
+
+OBSTACLE_POINTS = even_points(4)
 WALL_POINTS = product_points(*np.polynomial.legendre.leggauss(4))
 GAUSS_POINTS = product_points(*np.polynomial.legendre.leggauss(3))
 GRID_VALUES: np.ndarray = product_points(np.linspace(-1, 1, 17), np.full(17, 2 / 17)).values
