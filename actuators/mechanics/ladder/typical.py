@@ -10,9 +10,9 @@ import json
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -68,6 +68,12 @@ TRAITS: Mapping[str, Callable[[Design], float]] = {
 """What designs of one family are told apart by: the pressure over the largest strain that it makes
 in the linear cell [kPa]; how slender the body is; the largest strain of the linear cell at which
 neighbouring walls would meet in it (1 at most)."""
+
+
+@lru_cache(maxsize=32)
+def _trait(name: str, design: Design) -> float:
+    # asked for at every point of a path, while a slider moves; designs are frozen
+    return TRAITS[name](design)
 
 
 @dataclass(frozen=True)
@@ -135,13 +141,13 @@ def typical_at(rung: str, design: Design, strain: float) -> Typical | None:
     None where nothing is known."""
     maps = error_maps()
     found = maps.get((rung, design.family)) or maps.get((rung, "any"))
-    return None if found is None else found.at(strain, TRAITS[found.trait](design))
+    return None if found is None else found.at(strain, _trait(found.trait, cast(Any, design)))
 
 
 def typical_error(design: Design, response: Response) -> tuple[Typical | None, ...]:
     """Typical error of an instant ``response`` at every point of its path; None where nothing is
     known. Solves the periodic cell, unless it is kept from the response."""
-    per_pressure = chamber_row(design).largest_strain
+    per_pressure = 1e-3 / _trait("pressure_per_strain_kPa", cast(Any, design))
     return tuple(
         typical_at(response.rung, design, per_pressure * abs(point.pressure))
         for point in response.path
