@@ -60,6 +60,8 @@ class Refinement:
         self._stop, self._watch = stop, watch
         self.shared = shared if shared is not None else shared_points(path)
         self._starts = [_prolong(coarse, fine, e.state) for e in path.points[: self.shared]]
+        first, *later = (e.state.displacement for e in path.points[: self.shared])
+        self._way = max((float(np.abs(u - first).max()) for u in later), default=0.0)
         self._marched: dict[int, Equilibrium] = {}
         self.iterations = 0
 
@@ -171,7 +173,8 @@ class Refinement:
 
     def _solve_point(self, index: int, found: dict[int, Equilibrium]) -> float | None:
         """Solve one point from the known ones and add it; how far the interpolation was off, as a
-        fraction of the largest displacement. None where no equilibrium was found."""
+        fraction of the largest displacement, or of what inflation makes of it if that is less: a
+        body that sags far moves little by it. None where no equilibrium was found."""
         if index in found:
             return 0.0
         start = self._interpolated(index, found)
@@ -182,7 +185,7 @@ class Refinement:
             return None
         found[index] = result
         exact = result.state.displacement
-        size = float(np.abs(exact).max())
+        size = min(float(np.abs(exact).max()), self._way)
         return float(np.abs(start.displacement - exact).max()) / size if size > 0 else 0.0
 
     def _interpolated(self, index: int, found: dict[int, Equilibrium]) -> State:

@@ -25,6 +25,11 @@ halved, down to this share of the volume."""
 ASIDE, FAR_ASIDE = 1.0, 3.0
 """Distance of a state found from the one predicted, over the step predicted: from the first on a
 laborious step is tried again with half its length, from the second on it is a leap."""
+STRIDES = (0.02, 0.035, 0.05, 0.08)
+"""Shares of the volume tried where smaller steps fail."""
+CHORD, MOST_RECENT = 0.002, 40
+"""Shortest change of volume [its share] that a stride is predicted from, and how many states back
+it is looked for."""
 CAREFUL_MOVE = 0.002
 """As :data:`CAREFUL_STEP`, of an arc step: largest displacement, as a fraction of the body's
 size."""
@@ -64,6 +69,7 @@ class Walk:
         self._turned = self._ever_by_arc = False
         self._sign = np.copysign(1.0, step)
         self.trail = list(trail[-3:])
+        self._recent = list(trail)
         self._known = [self._footprint(state) for state in self.trail]
         self.by_arc = False
         self.arrived = self.leapt = False
@@ -110,6 +116,8 @@ class Walk:
                     return None
                 self.by_arc = share / 2 < SMALLEST_VOLUME_STEP
         ahead = self._advance_by_arc(volume, given_up)
+        if ahead is None and not given_up(0.0):
+            ahead = self._stride(volume)
         return ahead if ahead is not None else self._leap(volume)
 
     def _widest(self, last: Equilibrium) -> float:
@@ -132,6 +140,34 @@ class Walk:
             self._beyond = found
         return True
 
+    def _stride(self, volume: float | None) -> Equilibrium | None:
+        """Where small steps fail, one over the place: contact between coarse faces jumps where a
+        point goes over an edge, and a short stretch of the path has no equilibrium."""
+        last = self.trail[-1]
+        base = next(
+            (e for e in reversed(self._recent)
+             if abs(e.volume - last.volume) > CHORD * last.volume), None,
+        )  # fmt: skip
+        if base is None or self._turned or self._sign * (last.volume - base.volume) < 0:
+            return None
+        for share in STRIDES:
+            wanted = last.volume * (1 + self._sign * share)
+            if volume is not None and self._sign * (volume - wanted) < 0:
+                wanted = volume
+            guess = predict_by_volume(self._system, [base, last], wanted)
+            found = self._solve(guess[0], Target(guess[1], volume=wanted))
+            alike = isinstance(found, Equilibrium) and (
+                found.negative_eigenvalues == last.negative_eigenvalues
+            )
+            if isinstance(found, Equilibrium) and alike and self._aside(found, guess[0]) < ASIDE:
+                self.by_arc, self._move = False, 0.0
+                self._step = float(np.copysign(CAREFUL_STEP * found.volume, self._sign))
+                self.arrived = wanted == volume
+                return self._taken(found)
+            if wanted == volume:
+                break
+        return None
+
     def _leap(self, volume: float | None) -> Equilibrium | None:
         """Where nothing continues the path: the stable state of another branch that was met on the
         last steps tried, if it lies ahead. An actuator snaps to it."""
@@ -147,6 +183,7 @@ class Walk:
     def _taken(self, found: Equilibrium) -> Equilibrium:
         # what lies on another branch tells nothing of how this one goes on
         self.trail = [found] if self.leapt else [*self.trail[-2:], found]
+        self._recent = [found] if self.leapt else [*self._recent[-MOST_RECENT:], found]
         self._known.append(self._footprint(found))
         return found
 

@@ -246,3 +246,32 @@ def test_a_leap_is_told_with_the_states_on_either_side() -> None:
     assert "6.557 ml (-4.1 kPa)" in note
     assert "another branch" in note
     assert path_notes(replace(path, leaps=[]), 1.0) == []
+
+
+class Kinked(TwoBranches):
+    """One branch with a short stretch where nothing is found, as where contact jumps."""
+
+    def __init__(self, wide: float) -> None:
+        self._end = 1.0 - wide
+
+    def solve(self, start: State, target: Target) -> Equilibrium | Failure:
+        volume = target.volume
+        if volume is None or self._end < volume < 1.0:
+            return Failure("the correction does not shrink", 12)
+        return Equilibrium(self.state(volume, 0.0), volume - 2.0, volume, 2, 0)
+
+
+@pytest.mark.parametrize(("wide", "passed"), [(0.015, True), (0.06, True), (0.2, False)])
+def test_a_short_stretch_without_equilibrium_is_stepped_over(wide: float, passed: bool) -> None:
+    system = Kinked(wide)
+    trail = [Equilibrium(system.state(v, 0.0), v - 2.0, v, 2, 0) for v in (1.06, 1.03)]
+    walk = Walk(system, system.solve, trail, -0.03)  # type: ignore[arg-type]
+    found = [walk.advance(0.5)]
+    while found[-1] is not None and not walk.arrived:
+        found.append(walk.advance(0.5))
+    end = found[-1]
+    assert (end is not None) == passed
+    assert not walk.leapt
+    assert all(e is None or not 1.0 - wide < e.volume < 1.0 for e in found)
+    if end is not None:
+        assert end.volume == 0.5
