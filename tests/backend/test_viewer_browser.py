@@ -50,6 +50,33 @@ STALL = """() => {
   }, 410);
 }"""
 
+QUICK_CHANGES = 40
+# how many takes are visible at every drawn frame
+COUNT_TAKES = """
+let tools;
+const scenes = new Set();
+Object.defineProperty(window, "__THREE_DEVTOOLS__", {
+  get: () => tools,
+  set: (given) => {
+    tools = given;
+    tools.addEventListener("observe", ({detail}) => { if (detail.isScene) scenes.add(detail); });
+  },
+});
+window.takes = [];
+const look = () => {
+  const shown = new Set();
+  const walk = (node, visible) => {
+    const on = visible && node.visible;
+    if (on && node.userData.take) shown.add(node.userData.take);
+    for (const child of node.children) walk(child, on);
+  };
+  for (const scene of scenes) walk(scene, true);
+  window.takes.push(shown.size);
+  requestAnimationFrame(look);
+};
+look();
+"""
+
 pytestmark = pytest.mark.browser
 
 
@@ -63,6 +90,7 @@ class Studio:
         self.content()
         self.messages: list[str] = []
         self.page: Page = context.new_page()
+        self.page.add_init_script(COUNT_TAKES)
         self.page.on("console", lambda m: self.messages.append(f"{m.type}: {m.text}"))
         self.page.on("pageerror", lambda e: self.messages.append(f"error: {e}"))
         self.page.goto(base + self.view["url"])
@@ -147,6 +175,24 @@ def test_new_content_replaces_the_old_without_a_gap_on_a_slow_machine(
     assert len(counts) > 10
     # bodies of nearly one shape: a gap, or old and new at once, would show
     assert min(counts) > 0.85 * max(counts)
+
+
+def test_after_many_quick_changes_one_body_is_left(studio: Studio, served: Served) -> None:
+    room = served.app.state.rooms._rooms[studio.view["view_id"]]
+    studio.page.evaluate("() => { window.takes.length = 0 }")
+    with studio.stalled():
+        for k in range(QUICK_CHANGES):
+            studio.content(roof_thickness_mm=5 + 0.02 * (k % 50), frame=k % 21)
+            studio.page.wait_for_timeout(20 * (k % 4))
+    end = time.monotonic() + 30
+    while room._waiting is not None or room._next is not None:
+        assert time.monotonic() < end, "the last content is not shown"
+        studio.page.wait_for_timeout(50)
+    studio.page.wait_for_timeout(1500)
+    counts = studio.page.evaluate("() => window.takes")
+    print(f"takes in view: {[(n, counts.count(n)) for n in sorted(set(counts))]}")
+    assert counts[-1] == 1
+    assert len(counts) > QUICK_CHANGES / 4
 
 
 def test_scrubbing_moves_the_body_without_a_gap(studio: Studio) -> None:
