@@ -7,7 +7,7 @@ import numpy as np
 from actuators.materials import Material
 from actuators.mechanics.continuum.newton import TOO_DEEP
 from actuators.mechanics.continuum.path import Path
-from actuators.mechanics.continuum.unmodelled import CROSSED, HALVED, MOUNTED
+from actuators.mechanics.continuum.unmodelled import CROSSED, EMPTIED, HALVED, MOUNTED
 from actuators.mechanics.response import Outcome, PathPoint
 from actuators.mechanics.scene import Scene
 
@@ -15,6 +15,7 @@ WAYS_OUT = {
     TOO_DEEP: "Parts of the body far from each other meet there, edge on edge, which contact "
     "between faces sees too late. Ask for less pressure or volume.",
     CROSSED: "Leave self-contact to the program, which then holds the walls apart.",
+    EMPTIED: "There is nothing left to suck out: ask for less suction, or for more volume.",
     HALVED: "Ask for less suction, or for the whole body (force symmetry off), whose side "
     "walls are held apart.",
     MOUNTED: "Ask for less pressure or volume, or take a shorter body: what holds the clamp is "

@@ -1,10 +1,11 @@
 """States that equilibrium allows and a real actuator does not, because something is in the way that
 no contact of the model holds up: the walls of the cavity where they have no contact with each
-other, and the mount behind the clamp."""
+other or are too coarse to feel it, and the mount behind the clamp."""
 
 import numpy as np
 
 from actuators.mechanics.continuum.cavity_gap import CavityWalls
+from actuators.mechanics.continuum.kernel.cavity import cavity_volume
 from actuators.mechanics.continuum.system import State
 from actuators.meshing import HexMesh
 
@@ -14,6 +15,9 @@ HALVED = (
     "side walls of the cavity have met on the middle plane, where half a body has no contact with "
     "its mirror image"
 )
+EMPTIED = "the cavity is sucked empty"
+EMPTY = 1e-3
+"""Of the cavity's volume at rest: with less, walls have met that no contact kept apart."""
 BEHIND = 0.02
 """How far behind the clamp's plane the body must be [its height], ..."""
 WELL_INSIDE = 0.05
@@ -28,6 +32,7 @@ class Unmodelled:
     def __init__(self, mesh: HexMesh, *, cavity_held: bool) -> None:
         self._mesh = mesh
         self._walls, self._held = CavityWalls(mesh), cavity_held
+        self._at_rest = self._volume(mesh.nodes)
         self._outside = np.setdiff1d(np.unique(mesh.outer_faces.nodes), mesh.clamp_nodes)
         section = mesh.nodes[mesh.clamp_nodes][:, 1:]
         low, high = section.min(axis=0, initial=np.inf), section.max(axis=0, initial=-np.inf)
@@ -43,7 +48,14 @@ class Unmodelled:
             return HALVED
         if not self._held and self._walls.openness(state.displacement) < 0.0:
             return CROSSED
+        if self._volume(self._mesh.nodes + state.displacement) < EMPTY * self._at_rest:
+            return EMPTIED
         now = self._mesh.nodes[self._outside] + state.displacement[self._outside]
         behind = now[now[:, 0] < -self._behind, 1:]
         inside = ((behind > self._low) & (behind < self._high)).all(axis=1)
         return MOUNTED if inside.any() else None
+
+    def _volume(self, positions: np.ndarray) -> float:
+        """Of the cavity [m3] at ``positions`` (n, 3) [m]; 0 without one."""
+        faces = self._mesh.cavity_faces.nodes
+        return float(cavity_volume(positions, faces, np.empty_like(positions)))
