@@ -181,7 +181,11 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         advice=advice,
         centreline=centreline(solved.path, layout.length),
         error_estimate=estimate(design) if trusted is None else BEYOND_TRUST,
-        limit_pressure=_limit(paths) if outcome is Outcome.LIMIT_POINT else None,
+        limit_pressure=(
+            _limit(paths, solved.pressures[found : found + 1])
+            if outcome is Outcome.LIMIT_POINT
+            else None
+        ),
         trusted_to=trusted,
         unknowns=sum(p.unknowns for p in paths) + 6 * len(layout.length),
         newton_iterations=solved.path.iterations + sum(a.iterations for a in (*paths, *changes)),
@@ -284,6 +288,7 @@ def _points(question: Question, solved: Solved) -> tuple[PathPoint, ...]:
     return tuple(changed)
 
 
-def _limit(paths: tuple[CellPath, ...]) -> float | None:
+def _limit(paths: tuple[CellPath, ...], pressures: np.ndarray) -> float | None:
+    """The least of the cells', or ``pressures``, at which the body gave way before."""
     limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
-    return min(limits, key=abs) if limits else None
+    return min([*limits, *pressures.tolist()], key=abs) if limits else None

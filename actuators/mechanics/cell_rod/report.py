@@ -47,15 +47,22 @@ def advice_of(
             f"Shown is the body under {loads:.0%} of that. Lower these loads, make the body "
             "stiffer, or use the rung fe."
         )
+    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
     if found < len(pressures):
         lost = pressures[found] / 1e3
+        if limits and abs(pressures[found]) > NEAR_THE_LIMIT * min(map(abs, limits)):
+            return Outcome.LIMIT_POINT, (
+                f"Under the scene's loads the body gives way at {lost:.4g} kPa, before its "
+                f"chambers alone would, at {min(limits, key=abs) / 1e3:.4g} kPa: there their "
+                "pressure has its extreme. Stay below, lower the loads, thicken the roof or take a "
+                "stiffer top material."
+            )
         return Outcome.STALLED, (
             f"The rod found no equilibrium under the scene's loads at {lost:.4g} kPa. Reduce the "
             "loads, stiffen the body, or use the rung fe."
         )
     if not short:
         return Outcome.CONVERGED, None
-    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
     if limits:
         return Outcome.LIMIT_POINT, _beyond_the_limit(min(limits, key=abs), scene)
     end = pressures[-1] / 1e3

@@ -40,6 +40,8 @@ def predict(system: ContinuumSystem, history: Sequence[Equilibrium], pressure: f
     if len(history) < 2:
         return last.state
     before = history[-2]
+    if last.pressure == before.pressure:  # told by volume: nothing says how they go on
+        return last.state
     ratio = (pressure - last.pressure) / (last.pressure - before.pressure)
     return system.onward(before.state, last.state, ratio)
 
@@ -53,6 +55,8 @@ def predict_by_volume(
     if len(trail) < 2:
         return last.state, last.pressure
     before = trail[-2]
+    if last.volume == before.volume:
+        return last.state, last.pressure
     ratio = (volume - last.volume) / (last.volume - before.volume)
     pressure = last.pressure + ratio * (last.pressure - before.pressure)
     return system.onward(before.state, last.state, ratio), pressure

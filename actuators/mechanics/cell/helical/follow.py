@@ -34,6 +34,9 @@ NEAR = 2e-5
 elements that are out of balance make it another."""
 CRAWL = 1e-4
 """Step over the range (or the volume) below which steps that go on shrinking lead nowhere."""
+FLAT = 0.01
+"""Share of the pressure that may be missing to its maximum where a path that ends for want of a
+state ends there."""
 ACROSS_EVERY = 4
 MOST_STEPS = 80
 
@@ -147,8 +150,7 @@ class Follower:
             if point is None or isinstance(found, Missed):
                 step /= 3
                 if step < SMALLEST_STEP * self._room(last):
-                    course.outcome = Outcome.STALLED
-                    course.reason = "no state of equilibrium nearby was found"
+                    self._end("no state of equilibrium nearby was found")
                     return
                 continue
             if sign * (point.pressure - goal) >= 0.0 and not point.unstable:
@@ -162,8 +164,14 @@ class Follower:
             step *= _pace(found)
             if _pace(found) < 1.0 and step < CRAWL * self._room(last):
                 break
-        course.outcome = Outcome.STALLED
-        course.reason = "too many steps, or ever smaller ones"
+        self._end("too many steps, or ever smaller ones")
+
+    def _end(self, reason: str) -> None:
+        """Where no step leads on: at the pressure's maximum, if it is as good as there."""
+        course, points = self.course, self.course.points
+        course.outcome, course.reason = Outcome.STALLED, reason
+        if len(points) > 1 and _left_to_rise(points[-2], points[-1]) < FLAT:
+            course.outcome, course.limit = Outcome.LIMIT_POINT, points[-1].pressure
 
     def _finish(self, last: Point, beyond: Point) -> None:
         """The goal's pressure, which lies between two points."""
@@ -262,6 +270,17 @@ def _flat(below: Point, above: Point) -> float:
     inside = [r.real for r in roots if abs(r.imag) < 1e-9 and 0.02 < r.real < 0.98]
     share = inside[0] if inside else 0.5
     return below.volume + share * width
+
+
+def _left_to_rise(before: Point, last: Point) -> float:
+    """By what share the pressure still rises to where its slope over the volume, which falls along
+    a straight line through those at two points, is 0; infinite where it does not fall."""
+    slope, earlier = 1 / last.growth, 1 / before.growth
+    falls = earlier - slope
+    if slope <= 0.0 or falls <= 0.0 or last.pressure == 0.0:
+        return math.inf
+    further = (last.volume - before.volume) * slope / falls
+    return abs(further * slope / 2 / last.pressure)
 
 
 def _pace(found: Found) -> float:

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from actuators.mechanics.cell.helical.domain import Domain, Image, carried
-from actuators.mechanics.continuum.contact.search import frames
 from actuators.mechanics.continuum.contact.points import WALL_POINTS, contact_areas
+from actuators.mechanics.continuum.contact.search import frames
 from actuators.mechanics.continuum.contact.surface import ContactSurface
 
 SIDEWAYS = 0.1
