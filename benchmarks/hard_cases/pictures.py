@@ -37,7 +37,10 @@ def draw(name: str, answer: Response) -> Path | None:
     shade = 0.55 + 0.45 * np.clip(normal @ (LIGHT / np.linalg.norm(LIGHT)), 0, 1)
     colour[:, :3] *= shade[:, None]
     figure, ax = plt.subplots(figsize=(3.4, 2.6), dpi=80)
-    ax.add_collection(PolyCollection(list(flat[order]), facecolors=colour[order], linewidths=0))
+    # edges in the colour of their faces: without them the page shows through between triangles
+    faces = PolyCollection(list(flat[order]), facecolors=colour[order], edgecolors=colour[order])
+    faces.set_linewidth(0.4)
+    ax.add_collection(faces)
     low, high = flat.reshape(-1, 2).min(axis=0), flat.reshape(-1, 2).max(axis=0)
     margin = 0.04 * (high - low).max()
     ax.set_xlim(low[0] - margin, high[0] + margin)
