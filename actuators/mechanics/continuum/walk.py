@@ -25,7 +25,7 @@ halved, down to this share of the volume."""
 ASIDE, FAR_ASIDE = 1.0, 3.0
 """Distance of a state found from the one predicted, over the step predicted: from the first on a
 laborious step is tried again with half its length, from the second on it is a leap."""
-STRIDES = (0.02, 0.035, 0.05, 0.08)
+STRIDES = (0.015, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.11)
 """Shares of the volume tried where smaller steps fail."""
 CHORD, MOST_RECENT = 0.002, 40
 """Shortest change of volume [its share] that a stride is predicted from, and how many states back
