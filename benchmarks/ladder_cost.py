@@ -10,7 +10,8 @@ of the one before, or of unrelated ones (``benchmarks/ladder_jobs.py``); it can 
 again. ``judge`` makes a record of two thirds of the sessions and unrelated jobs and plays the rest,
 in many random orders, to a new machine that is slower or faster by a factor drawn from 1/3 to 3,
 for each third in turn: how many predictions are within a factor of 1.5 of what the job then takes,
-for the 1st, for the 2nd to 10th, and from the 11th job on."""
+for the 1st, for the 2nd to 10th, and from the 11th job on; it draws these into docs/pictures
+(needs matplotlib)."""
 
 import os
 
@@ -38,13 +39,13 @@ from benchmarks.ladder_jobs import (
     SESSION,
     collect,
     finished,
-    hard_jobs,
     level_errors,
     past_job,
     preset_jobs,
     read_jobs,
 )
 
+PICTURE = Path(__file__).parent.parent / "docs" / "pictures" / "predicted_seconds.png"
 RECORD = Path(record_module.__file__).parent / record_module.FILE
 ORDERS, FOLDS = 12, 3
 FEW = 100
@@ -72,10 +73,11 @@ class Timed:
 
 @dataclass(frozen=True)
 class Row:
-    """One prediction: how many jobs the machine had run before, predicted over true seconds,
-    whether those lay in the range."""
+    """One prediction: how many jobs the machine had run before, the true seconds (on the record's
+    machine), predicted over true ones, whether those lay in the range."""
 
     before: int
+    seconds: float
     ratio: float
     held: bool
     job: dict[str, Any]
@@ -100,25 +102,27 @@ def fit_spread(jobs: Sequence[PastJob], levels: dict[bool, LevelErrors]) -> Spre
         return replace(Spread(), **dict(zip(FITTED, values.tolist(), strict=True)))
 
     start = np.log([getattr(Spread(), name) for name in FITTED])
+    about = np.vstack([start, start + 0.5 * np.eye(len(start))])
     found = minimize(
         lambda logs: -CostModel(jobs, [], levels, spread(logs)).log_likelihood(),
-        start, method="Nelder-Mead", options={"maxiter": 150, "xatol": 0.05, "fatol": 0.05},
+        start, method="Nelder-Mead",
+        options={"maxiter": 250, "xatol": 0.05, "fatol": 0.05, "initial_simplex": about},
     )  # fmt: skip
     return spread(found.x)
 
 
 def write_record(files: Sequence[Path]) -> None:
     """The package's record, from all jobs of ``files``."""
-    jobs, hard = read(files), hard_jobs()
+    jobs = read(files)
     levels = level_errors([job.entry for job in jobs if job.group[0] != "presets"])
-    known = [*hard, *(job.full for job in jobs)]
+    known = [job.full for job in jobs]
     count = Counter(job.group[0] for job in jobs)
     spread = fit_spread(known, levels)
     names = {False: "massive", True: "stands_apart"}
     head = {
         "source": f"{count['sessions']} jobs of designers' sessions and {count['unrelated']} "
         f"unrelated ones on random designs of all families, {date.today()}, "
-        f"{count['presets']} presets of docs/validation.md and {len(hard)} hard cases; "
+        f"and {count['presets']} presets of docs/validation.md; "
         "processor seconds of one thread on a virtual machine with 2 cores; "
         "python -m benchmarks.ladder_cost",
         "features": list(FEATURES),
@@ -128,12 +132,12 @@ def write_record(files: Sequence[Path]) -> None:
     lines = [json.dumps(job_document(job)) for job in known]
     top = ",\n ".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items())
     RECORD.write_text("{\n " + top + ',\n "jobs": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n")
-    print(f"{RECORD}: {len(jobs)} jobs and {len(hard)} hard cases, {spread}")
+    print(f"{RECORD}: {len(jobs)} jobs, {spread}")
 
 
 def judge(files: Sequence[Path]) -> None:
     """Print how far predictions were off."""
-    jobs, hard = read(files), hard_jobs()
+    jobs = read(files)
     rows: dict[str, list[Row]] = {"sessions": [], "unrelated": [], "presets": []}
     rng = np.random.default_rng(1)
     groups = sorted({job.group for job in jobs})
@@ -142,7 +146,7 @@ def judge(files: Sequence[Path]) -> None:
     for turn in range(FOLDS):
         known = [job for job in jobs if fold[job.group] != turn]
         levels = level_errors([job.entry for job in known if job.group[0] != "presets"])
-        record = [*hard, *(job.full for job in known)]
+        record = [job.full for job in known]
         spread = fit_spread(record, levels)
         for stream, found in rows.items():
             unseen = [job for job in jobs if fold[job.group] == turn and job.group[0] == stream]
@@ -152,6 +156,29 @@ def judge(files: Sequence[Path]) -> None:
         count = sum(job.group[0] == stream for job in jobs)
         print(f"\n{stream}: {count} jobs")
         _print(found)
+    draw(rows)
+
+
+def draw(streams: dict[str, list[Row]]) -> None:
+    """Predicted over true seconds from the 11th job on, into docs/pictures."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(1, 3, figsize=(11, 4), layout="constrained", sharey=True)
+    ends = np.array([0.1, 1000.0])
+    for axis, (stream, rows) in zip(axes, streams.items(), strict=True):
+        late = [row for row in rows if row.before >= STAGES[-1][0]]
+        true = np.array([row.seconds for row in late])
+        axis.fill_between(ends, ends / FACTOR, ends * FACTOR, color="0.88")
+        axis.plot(ends, ends, color="0.6", linewidth=0.8)
+        axis.plot(true, true * [row.ratio for row in late], ".", alpha=0.25, markeredgewidth=0)
+        within = np.mean([abs(np.log(row.ratio)) <= np.log(FACTOR) for row in late])
+        axis.set(xscale="log", yscale="log", xlim=ends, ylim=ends, xlabel="true seconds",
+                 title=f"{stream}: {100 * within:.0f} % within {FACTOR:g}")  # fmt: skip
+    axes[0].set_ylabel("predicted seconds")
+    figure.savefig(PICTURE, dpi=80)
 
 
 def play(
@@ -168,7 +195,8 @@ def play(
             took = replace(job.told, seconds=pace * job.told.seconds)
             found = CostModel(record, seen, levels, spread).predict(took.outlook)
             held = found.low <= took.seconds <= found.high
-            rows.append(Row(len(seen), found.seconds / took.seconds, held, job.entry))
+            ratio = found.seconds / took.seconds
+            rows.append(Row(len(seen), job.told.seconds, ratio, held, job.entry))
             seen.append(took)
     return rows
 

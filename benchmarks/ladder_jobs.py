@@ -17,17 +17,8 @@ import numpy as np
 
 from actuators.design import FAMILIES, Design, parse_design
 from actuators.errors import InputError, QuestionError
-from actuators.hard_cases.asking import EVERY_EFFECT
-from actuators.hard_cases.entries import read_cases
-from actuators.hard_cases.question import question
 from actuators.mechanics.ladder.cost import JUDGED, SMALLEST_ERROR, PastJob
-from actuators.mechanics.ladder.question import (
-    BESIDES_S,
-    LevelErrors,
-    mesh_sizes,
-    outlook,
-    tangent_seconds,
-)
+from actuators.mechanics.ladder.question import LevelErrors, mesh_sizes, outlook
 from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.scene import STRONGEST, Scene
 from actuators.meshing.levels import MeshChoice
@@ -39,7 +30,6 @@ ACCURACIES = (0.3, 0.3, 0.2, 0.1, 0.1, 0.05, 0.02)
 SHARE_OF_MESHES = 0.2
 """Part of the jobs that name the coarsest mesh instead."""
 CHAMBERS = (1, 3)
-HARD_CASES = Path(__file__).parent.parent / "docs" / "hard_cases_data.json"
 ENDED = ("converged", "limit_point", "stalled")
 SESSION = 9
 """Jobs of one session."""
@@ -260,30 +250,6 @@ def past_job(job: dict[str, Any], *, all_levels: bool) -> PastJob:
         return found
     errors = {k: worst(each) for k, each in enumerate(job["levels"], start=1)}
     return replace(found, errors=errors)
-
-
-def hard_jobs() -> list[PastJob]:
-    """The catalogue of hard cases, solved on the coarsest mesh: of each the tangents it took are
-    kept, and what as many take on a mesh of its size. Cases that were changed since are left
-    out."""
-    found: list[PastJob] = []
-    results = json.loads(HARD_CASES.read_text())
-    for case in read_cases():
-        result = results.get(case.title)
-        if case.rung != "fe" or result is None or result["outcome"] not in ENDED:
-            continue
-        asked = question(case)
-        if asked.accuracy is not None or asked.shuffled or result["iterations"] < 1:
-            continue
-        told = outlook(
-            asked.design, asked.scene, accuracy=EVERY_EFFECT, mesh=asked.mesh or "coarse"
-        )
-        size = told.sizes[0]
-        if told.sizes != (size,) or not 0.8 < result["unknowns"] / size <= 1.0:
-            continue
-        seconds = BESIDES_S + result["iterations"] * tangent_seconds(size)
-        found.append(PastJob(told, seconds, 0, {}))
-    return found
 
 
 def preset_jobs() -> list[tuple[dict[str, Any], PastJob]]:

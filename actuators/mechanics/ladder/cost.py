@@ -83,11 +83,11 @@ class Spread:
     of their whole variance: ``error_alike`` g, ``error_near`` h, the rest is noise;
     ``error_levels``: correlation from one mesh to the next."""
 
-    weight: float = 0.15
-    memory: float = 0.3
-    reach: float = 1.0
-    peculiar: float = 0.4
-    noise: float = 0.1
+    weight: float = 0.05
+    memory: float = 0.75
+    reach: float = 2.0
+    peculiar: float = 0.3
+    noise: float = 0.14
     machine: float = 1.0
     error_alike: float = 0.3
     error_near: float = 0.65
@@ -146,7 +146,7 @@ class CostModel:
         self._factor = _factorise(together, noise)
         self._wider = 1.0
         if self._factor is not None:
-            away = self._left_out(noise)
+            away = _left_out(self._factor, self._rest)
             if len(jobs) >= ENOUGH:  # a range is as wide as four of five of these jobs needed it
                 self._wider = float(np.clip(np.quantile(away, 0.8) / WITHIN, 1.0, OUTLIER))
             if (away > OUTLIER).any():
@@ -184,12 +184,11 @@ class CostModel:
         machines = s.machine**2 * (a_own[:, None] & b_own[None])
         return linear + s.memory**2 * alike + s.peculiar**2 * near + machines
 
-    def _left_out(self, noise: np.ndarray) -> np.ndarray:
-        """Size of every job's residual when predicted from all others, in standard deviations."""
-        assert self._factor is not None
-        inverse = cho_solve(self._factor, np.eye(len(noise)))
-        variance = 1.0 / np.diag(inverse)
-        return np.abs(inverse @ self._rest) * np.sqrt(variance)
+
+def _left_out(factor: tuple[np.ndarray, bool], rest: np.ndarray) -> np.ndarray:
+    """Size of every residual (n,) when predicted from all others, in standard deviations."""
+    inverse = cho_solve(factor, np.eye(len(rest)))
+    return np.abs(inverse @ rest) / np.sqrt(np.diag(inverse))
 
 
 def _factorise(together: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, bool] | None:
