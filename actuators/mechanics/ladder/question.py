@@ -41,7 +41,7 @@ states that are solved besides on the last one; and of a mesh of a linear answer
 ASSEMBLY_S, FACTOR_S, FACTOR_GROWTH, BESIDES_S = 0.013, 0.037, 1.7, 0.07
 """Seconds of one tangent with 5000 unknowns, in proportion to them and to their power of
 FACTOR_GROWTH, and of what a job takes besides: processor of one thread, measured on jobs of all
-families to 15 % (docs/ladder.md). A machine's own pace is learnt."""
+families to 12 % (docs/ladder.md). A machine's own pace is learnt."""
 ACCURACY = 0.05
 """The solver's own where none is asked for."""
 SURELY_LINEAR = 0.7
