@@ -13,6 +13,11 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
 }
 
+/** A number field in which nothing is being typed: undo is the bench's there. */
+function isSettled(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && target.dataset.settled === "true";
+}
+
 /** Space presses the button that has the focus; there it is not ours. */
 function takesSpace(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.closest("button, a, input[type=checkbox], input[type=radio]") !== null);
@@ -52,7 +57,7 @@ function onKey(event: KeyboardEvent): void {
     return;
   }
   if (layer.get() !== "none" || document.querySelector("dialog[open]")) return;
-  if (command && (key === "z" || key === "y") && !isTyping(event.target)) {
+  if (command && (key === "z" || key === "y") && (!isTyping(event.target) || isSettled(event.target))) {
     event.preventDefault();
     if (key === "y" || event.shiftKey) redo();
     else undo();

@@ -61,7 +61,7 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
             </th>
             {instant && (
               <td data-testid={`number-${quantity.name}`}>
-                {formatQuantity(valueAt(instant, place, quantity.value, control), 4)}
+                {shown(valueAt(instant, place, quantity.value, control), quantity)}
               </td>
             )}
             {fe && <FeCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />}
@@ -103,7 +103,7 @@ function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control
       className={fe.matches ? "" : "faded"}
       title={knows(fe.result, quantity) ? undefined : "not computed by 3D FE"}
     >
-      {formatQuantity(valueAt(fe.result, place, quantity.value, control), 4)}
+      {shown(valueAt(fe.result, place, quantity.value, control), quantity)}
     </td>
   );
 }
@@ -121,6 +121,15 @@ function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | nul
       <td className="unit">kPa</td>
     </tr>
   );
+}
+
+/** A body that moves by millimetres lies still where a model leaves a tenth of a micrometre. */
+const STILL = 5e-4;
+const OF_THE_SHAPE = ["mm", "°", "1/m"];
+
+function shown(value: number | null, { unit }: Quantity): string {
+  const still = value !== null && Math.abs(value) < STILL && OF_THE_SHAPE.includes(unit);
+  return formatQuantity(still ? 0 : value, 4);
 }
 
 function percent(value: number | null | undefined): string {

@@ -88,6 +88,24 @@ describe("number field", () => {
     expect(unreadable.get()).toEqual([]);
   });
 
+  it("gives the old number back by undo while something is typed, and leaves undo to the bench else", () => {
+    const commit = vi.fn();
+    const input = field(commit);
+    const above = vi.fn();
+    window.addEventListener("keydown", above);
+    expect(input.dataset.settled).toBe("true");
+    fireEvent.change(input, { target: { value: "9" } });
+    expect(input.dataset.settled).toBe("false");
+    fireEvent.keyDown(input, { key: "z", ctrlKey: true });
+    expect(input.value).toBe("4");
+    expect(above).not.toHaveBeenCalled();
+    fireEvent.keyDown(input, { key: "z", ctrlKey: true });
+    expect(above).toHaveBeenCalledTimes(1);
+    window.removeEventListener("keydown", above);
+    fireEvent.blur(input);
+    expect(commit).not.toHaveBeenCalled();
+  });
+
   it("takes a quantity with a unit of its kind", () => {
     const commit = vi.fn();
     const input = field(commit);

@@ -31,8 +31,8 @@ interface Draft {
   refused: boolean;
 }
 
-/** Text field for a number, or a number with a unit: Enter or leaving takes the value, Escape gives
- * the old one back, the arrow keys step (with Shift ten steps). What cannot be read stays, marked. */
+/** Text field for a number, or a number with a unit: Enter or leaving takes the value, Escape or
+ * undo gives the old one back, the arrow keys step (with Shift ten steps). What cannot be read stays, marked. */
 export function NumberField(props: NumberFieldProps) {
   const [kept, setDraft] = useState<Draft | null>(null);
   const id = useId();
@@ -80,6 +80,7 @@ export function NumberField(props: NumberFieldProps) {
         aria-invalid={(props.invalid ?? false) || refusal !== null}
         aria-describedby={[props.describedBy, said && id].filter(Boolean).join(" ") || undefined}
         data-testid={props.testId}
+        data-settled={draft === null}
         onFocus={(event) => {
           event.currentTarget.select();
           props.onFocus?.();
@@ -90,7 +91,12 @@ export function NumberField(props: NumberFieldProps) {
         }}
         onBlur={take}
         onKeyDown={(event) => {
-          if (event.key === "Enter") take();
+          if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && draft) {
+            // The browser's own undo knows values that the page has put there, and mixes them up.
+            event.preventDefault();
+            event.stopPropagation();
+            setDraft(null);
+          } else if (event.key === "Enter") take();
           else if (event.key === "Escape") setDraft(null);
           else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
             event.preventDefault();
