@@ -35,10 +35,10 @@ class CellPath:
     embedded layer without stiffness against bending would wrinkle, None where it would not;
     ``period``: undeformed pitch [m].
 
-    ``outcome``: ``converged``; ``limit_point``, with ``limit_pressure`` [Pa], where the pressure
-    has a maximum (of suction, a minimum) and the last point stands there; ``stalled``, where no
-    further point was found. ``iterations``: tangents factorised; ``notes``: what a reader of the
-    result must know.
+    ``outcome``: ``converged``; ``limit_point``, where the pressure has a maximum (of suction, a
+    minimum) and the last point stands there; ``stalled``, where no further point was found.
+    ``limit_pressure``: that maximum [Pa], also where it lies up to a quarter beyond the end.
+    ``iterations``: tangents factorised; ``notes``: what a reader of the result must know.
     """
 
     period: float

@@ -81,6 +81,20 @@ def test_the_path_ends_at_the_limit_pressure_of_the_cell() -> None:
     assert any("among equals" in note for note in answer.notes)
 
 
+def test_a_limit_just_beyond_the_pressure_asked_for_is_looked_for() -> None:
+    """Whether an answer near the limit is trusted does not hang on where its path ends."""
+    design = preset("slab-rectangle-low").design
+    beyond = predict(design, Scene(14e3), rung="cell-rod")
+    near = predict(design, Scene(12e3, steps=4), rung="cell-rod")
+    below = predict(design, Scene(10e3, steps=4), rung="cell-rod")
+    assert near.outcome is below.outcome is Outcome.CONVERGED
+    assert near.trusted_to == pytest.approx(beyond.trusted_to, rel=1e-3)
+    assert near.error_estimate == 1.0
+    assert below.trusted_to is None
+    assert below.error_estimate is not None
+    assert below.error_estimate < 0.1
+
+
 def test_a_volume_is_reached() -> None:
     rest = ask(Scene(1e3, steps=1)).path[0].cavity_volume or 0.0
     answer = ask(Scene(volume_to=1.4 * rest, steps=5))

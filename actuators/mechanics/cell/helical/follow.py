@@ -37,6 +37,10 @@ CRAWL = 1e-4
 FLAT = 0.01
 """Share of the pressure that may be missing to its maximum where a path that ends for want of a
 state ends there."""
+AHEAD = 1.25
+"""Of the pressure asked for: as far as the pressure's maximum is looked for beyond it, ..."""
+IN_SIGHT = 0.6
+"""... where the last slopes say that no more than this share is left to rise."""
 ACROSS_EVERY = 4
 MOST_STEPS = 80
 
@@ -64,7 +68,8 @@ class Point:
 
 @dataclass(eq=False)
 class Course:
-    """Points in order; how it ended, and ``limit`` [Pa] where the pressure has its maximum."""
+    """Points in order; how it ended, and ``limit`` [Pa] where the pressure has its maximum, at the
+    last point or not far beyond it."""
 
     points: list[Point]
     outcome: Outcome = Outcome.CONVERGED
@@ -90,7 +95,22 @@ class Follower:
         course.points.append(point)
         if self._goal != 0.0 and not self._by_pressure():
             self._by_volume()
+        if self._goal != 0.0 and course.outcome is Outcome.CONVERGED:
+            self._look_ahead()
         return course
+
+    def _look_ahead(self) -> None:
+        """Whether the pressure's maximum lies just beyond the goal, where chambers in a row begin
+        to differ. Its points are not kept."""
+        points = self.course.points
+        if _left_to_rise(points[-2], points[-1]) > IN_SIGHT:
+            return
+        scout = Follower(self._solver, AHEAD * self._goal)
+        scout.course.points = [points[0], *points[-2:]]
+        if not scout._by_pressure():
+            scout._by_volume()
+        if scout.course.outcome is Outcome.LIMIT_POINT:
+            self.course.limit = scout.course.limit
 
     def _by_pressure(self) -> bool:
         """Steps of given pressure; False where they lead no further."""
