@@ -58,8 +58,8 @@ export function LadderPanel() {
             </p>
           )}
           <Unrefined />
-          {found && <Unplotted points={listed(found)} />}
           {found && <Picks ladder={found} stale={stale} />}
+          {found && <Unplotted points={listed(found)} />}
         </>
       )}
     </section>

@@ -76,7 +76,7 @@ function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
 }
 
 function timeOf({ state, same_as: same, seconds }: LadderPoint): string {
-  return state === "predicted" && same === null && seconds ? `about ${shortSeconds(seconds.value)}` : "answered";
+  return state === "predicted" && same === null && seconds ? `~ ${shortSeconds(seconds.value)}` : "answered";
 }
 
 function errorOf({ error_percent: error }: LadderPoint): string {
