@@ -35,7 +35,13 @@ def advice_of(
     """How the path ended, and what to do about it. ``pressures`` (k,), of which the first
     ``found`` were; ``loads``: share of weight and outer loads borne before any inflation;
     ``crushed``: strain by what loads bend the body, if that is more than can be told."""
-    if crushed > 0.0:
+    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
+    gives_way = (
+        found < len(pressures)
+        and len(limits) > 0
+        and abs(pressures[found]) > NEAR_THE_LIMIT * min(map(abs, limits))
+    )
+    if crushed > 0.0 and not gives_way:  # near its limit a chamber has no stiffness to bear loads
         return Outcome.STALLED, (
             f"The scene's loads bend the body so sharply (its top would be strained by "
             f"{crushed:.0%}) that its chambers are crushed or folded, which no rod tells. Lower "
@@ -47,10 +53,9 @@ def advice_of(
             f"Shown is the body under {loads:.0%} of that. Lower these loads, make the body "
             "stiffer, or use the rung fe."
         )
-    limits = [p.limit_pressure for p in paths if p.limit_pressure is not None]
     if found < len(pressures):
         lost = pressures[found] / 1e3
-        if limits and abs(pressures[found]) > NEAR_THE_LIMIT * min(map(abs, limits)):
+        if gives_way:
             return Outcome.LIMIT_POINT, (
                 f"Under the scene's loads the body gives way at {lost:.4g} kPa, before its "
                 f"chambers alone would, at {min(limits, key=abs) / 1e3:.4g} kPa: there their "
