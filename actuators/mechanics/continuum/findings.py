@@ -27,6 +27,13 @@ def path_notes(path: Path, parts: float) -> list[str]:
     wrinkled = next((point for point in path.points if point.wrinkles), None)
     if wrinkled is not None:
         notes.append(wrinkle_note(wrinkled.pressure))
+    notes += [
+        f"At {parts * before.volume * 1e6:.4g} ml ({before.pressure / 1e3:.3g} kPa) the branch of "
+        f"equilibrium ends, or could not be followed: from {parts * after.volume * 1e6:.4g} ml "
+        f"({after.pressure / 1e3:.3g} kPa) on the states lie on another branch, to which a real "
+        "actuator snaps. Which of several it takes was not computed."
+        for before, after in path.leaps
+    ]
     if not path.by_volume:
         return notes
     if path.limit is not None and not _passed_before(path, path.limit):
@@ -51,13 +58,6 @@ def path_notes(path: Path, parts: float) -> list[str]:
             "of this volume, which lies later on the path if it lies on it at all; the states "
             "between are not seen in practice."
         )
-    notes += [
-        f"At {parts * before.volume * 1e6:.4g} ml ({before.pressure / 1e3:.3g} kPa) the branch of "
-        f"equilibrium ends, or could not be followed: from {parts * after.volume * 1e6:.4g} ml "
-        f"({after.pressure / 1e3:.3g} kPa) on the states lie on another branch, to which a real "
-        "actuator snaps. Which of several it takes was not computed."
-        for before, after in path.leaps
-    ]
     return notes
 
 

@@ -105,6 +105,8 @@ def _by_volume(
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
             _how_far(walk.trail[-1], visited)
             return None
+        if walk.leapt:
+            path.leaps.append((last, result))
         if sign * (result.pressure - last.pressure) <= 0:
             _end_at_limit(tracer, walk.trail, sign, visited)
             return None

@@ -49,8 +49,9 @@ Solve = Callable[[State, Target], Equilibrium | Failure]
 
 class Walk:
     """States one after the other, from ``trail`` on. ``step``: first change of volume [m3], its
-    sign the direction. ``arrived``: the last state is at the volume asked for; ``leapt``: it lies
-    so far from where the path led that it belongs to another branch; ``reason`` says why
+    sign the direction. ``leaping``: whether it may go over to another branch also where that has
+    less pressure, or suction. ``arrived``: the last state is at the volume asked for; ``leapt``:
+    it lies so far from where the path led that it belongs to another branch; ``reason`` says why
     :meth:`advance` came to nothing."""
 
     def __init__(
@@ -116,8 +117,9 @@ class Walk:
                     return None
                 self.by_arc = share / 2 < SMALLEST_VOLUME_STEP
         ahead = self._advance_by_arc(volume, given_up)
-        if ahead is None and not given_up(0.0):
-            ahead = self._stride(volume)
+        if ahead is not None or given_up(0.0):
+            return ahead
+        ahead = self._stride(volume)
         return ahead if ahead is not None else self._leap(volume)
 
     def _widest(self, last: Equilibrium) -> float:
@@ -173,7 +175,9 @@ class Walk:
         last steps tried, if it lies ahead. An actuator snaps to it."""
         found, self._beyond = self._beyond, None
         last = self.trail[-1]
-        if not self._leaping or found is None or self._sign * (found.volume - last.volume) <= 0:
+        if found is None or self._sign * (found.volume - last.volume) <= 0:
+            return None
+        if not self._leaping and self._sign * (found.pressure - last.pressure) <= 0:
             return None
         self.leapt, self.arrived = True, found.volume == volume
         self.by_arc, self._turned, self._move = False, False, 0.0

@@ -184,6 +184,8 @@ class TwoBranches:
     0.5 on the other branch."""
 
     mesh = SimpleNamespace(nodes=np.array([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0]]))
+    jump = 0.5
+    """Of the pressure, from one branch to the other."""
 
     @staticmethod
     def state(volume: float, aside: float) -> State:
@@ -204,10 +206,13 @@ class TwoBranches:
         near = volume >= 1.0 and start.displacement[0, 1] < 0.25
         state = self.state(volume, 0.0 if near else 0.5)
         settled = near or start.displacement[0, 1] > 0.25
-        return Equilibrium(state, -2.0 + volume, volume, 2 if settled else 9, 0)
+        pressure = volume - 2.0 + (0.0 if near else self.jump)
+        return Equilibrium(state, pressure, volume, 2 if settled else 9, 0)
 
 
-def test_where_a_branch_ends_a_walk_leaps_to_the_one_it_met() -> None:
+def test_where_a_branch_ends_a_walk_leaps_to_the_one_it_met(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     system = TwoBranches()
     trail = [Equilibrium(system.state(v, 0.0), v - 2.0, v, 2, 0) for v in (1.6, 1.5)]
 
@@ -219,7 +224,7 @@ def test_where_a_branch_ends_a_walk_leaps_to_the_one_it_met() -> None:
         return found
 
     *_, (end, _) = walk(leaping=False)
-    assert end is None, "under given pressure there is nothing to leap to"
+    assert end is None, "under given suction there is nothing with less of it to leap to"
     found = walk(leaping=True)
     leaps = [k for k, (_, leapt) in enumerate(found) if leapt]
     assert len(leaps) == 1
@@ -232,6 +237,9 @@ def test_where_a_branch_ends_a_walk_leaps_to_the_one_it_met() -> None:
     last = found[-1][0]
     assert last is not None
     assert last.volume == pytest.approx(0.6, abs=1e-12)
+    monkeypatch.setattr(TwoBranches, "jump", -0.1)
+    *_, (last, _) = walk(leaping=False)
+    assert last is not None, "more suction than before is on the way"
 
 
 def test_a_leap_is_told_with_the_states_on_either_side() -> None:
