@@ -180,12 +180,14 @@ class Walk:
         if not self._leaping and self._sign * (found.pressure - last.pressure) <= 0:
             return None
         self.leapt, self.arrived = True, found.volume == volume
-        self.by_arc, self._turned, self._move = False, False, 0.0
-        self._step = float(np.copysign(CAREFUL_STEP * found.volume, self._sign))
         return self._taken(found)
 
     def _taken(self, found: Equilibrium) -> Equilibrium:
-        # what lies on another branch tells nothing of how this one goes on
+        # what lies on another branch tells nothing of how this one goes on, nor has an arc a secant
+        if self.leapt:
+            self._ever_by_arc = self.past_volume
+            self.by_arc, self._turned, self._move = False, False, 0.0
+            self._step = float(np.copysign(CAREFUL_STEP * found.volume, self._sign))
         self.trail = [found] if self.leapt else [*self.trail[-2:], found]
         self._recent = [found] if self.leapt else [*self._recent[-MOST_RECENT:], found]
         self._known.append(self._footprint(found))
