@@ -7,6 +7,7 @@ import { modelName } from "../workbench/model";
 import { PRESSURE, QUANTITIES, type Quantity } from "./quantities";
 import { reached, within } from "./reached";
 import type { ShownFe } from "./shown";
+import { uncertainty } from "./uncertainty";
 import { kPa, placeInWords } from "./words";
 
 interface NumbersTableProps {
@@ -46,7 +47,7 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
           )}
           {fe && <FeHead fe={fe} control={control} place={place} />}
           {estimated && (
-            <th scope="col" title="Estimated error of the finite-element answer, from nested meshes">
+            <th scope="col" title="Estimated error of the finite-element answer, from nested meshes, in the unit of its row">
               ±
             </th>
           )}
@@ -65,10 +66,8 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
               </td>
             )}
             {fe && <FeCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />}
-            {estimated && (
-              <td className="estimate" data-testid={`estimate-${quantity.name}`}>
-                {percent(quantity.estimate === undefined ? null : estimates[quantity.estimate])}
-              </td>
+            {estimated && fe && (
+              <EstimateCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />
             )}
             <td className="unit">{quantity.unit}</td>
           </tr>
@@ -108,7 +107,18 @@ function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control
   );
 }
 
-/** The pressure's maximum, where the path met one. `estimate` is undefined without that column. */
+function EstimateCell(props: { fe: ShownFe; quantity: Quantity; place: number; control: Control }) {
+  const { fe, quantity, place, control } = props;
+  const off = uncertainty(fe.result, quantity, place, control);
+  const title = off === null ? undefined : `${formatPercent(off.percent)} of ${off.of}`;
+  return (
+    <td className="estimate" data-testid={`estimate-${quantity.name}`} title={title}>
+      {off === null ? "" : formatQuantity(off.size, 2)}
+    </td>
+  );
+}
+
+/** The pressure's maximum, where the path met one. `estimate` [%] is undefined without that column. */
 function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | null | undefined }) {
   const limit = props.fe.result.limit_pressure_kPa;
   if (limit === null) return null;
@@ -117,7 +127,11 @@ function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | nul
       <th scope="row">Limit pressure</th>
       {props.instant && <td>—</td>}
       <td data-testid="number-fe-limit_pressure">{formatQuantity(limit, 4)}</td>
-      {props.estimate !== undefined && <td className="estimate">{percent(props.estimate)}</td>}
+      {props.estimate !== undefined && (
+        <td className="estimate" title={props.estimate === null ? undefined : formatPercent(props.estimate)}>
+          {props.estimate === null ? "" : formatQuantity((limit * props.estimate) / 100, 2)}
+        </td>
+      )}
       <td className="unit">kPa</td>
     </tr>
   );
@@ -130,8 +144,4 @@ const OF_THE_SHAPE = ["mm", "°", "1/m"];
 function shown(value: number | null, { unit }: Quantity): string {
   const still = value !== null && Math.abs(value) < STILL && OF_THE_SHAPE.includes(unit);
   return formatQuantity(still ? 0 : value, 4);
-}
-
-function percent(value: number | null | undefined): string {
-  return value === null || value === undefined ? "" : formatPercent(value);
 }
