@@ -195,8 +195,9 @@ def read(files: Sequence[Path]) -> dict[int, Case]:
     found: dict[int, Case] = {}
     for line in (line for file in files if file.exists() for line in file.read_text().splitlines()):
         entry = json.loads(line)
+        number = entry.pop("number")
         off, switched = tuple(entry.pop("off")), tuple(entry.pop("switched"))
-        found[entry.pop("number")] = Case(off=off, switched=switched, **entry)
+        found[number] = Case(off=off, switched=switched, **entry)
     return dict(sorted(found.items()))
 
 
