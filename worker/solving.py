@@ -45,7 +45,7 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
         if response.outcome is Outcome.CANCELLED:
             if keeper.stop != "budget" and len(response.path) < 2:
                 return lambda: _insist(lambda: store.confirm_cancel(job.id, job.attempt))
-            response = _part_found(response, job, keeper.stop)
+            response = part_found(response, job, keeper.stop)
         document, arrays = response.to_document(), pack(response)
     except InputError as error:
         message, mend = str(error), error.mend
@@ -93,16 +93,34 @@ def _solve(job: ClaimedJob, keeper: Keeper) -> Solved:
     )
 
 
-def _part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Response:
+def part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Response:
+    """An answer that was stopped, with what is missing of it and how to have that."""
+    whole = _came_to_its_end(response)
     if stop != "budget":
+        missing = "the accuracy asked for" if whole else "the rest of the path"
         return replace(
-            response, advice="Run it again for the rest of the path; it starts from the beginning."
+            response, advice=f"Run it again for {missing}; it starts from the beginning."
         )
+    found, ways = (
+        ("this is the path on a coarser mesh than asked for", "a coarser accuracy")
+        if whole
+        else (
+            "this is the part of the path found by then",
+            "a coarser accuracy or a lower pressure",
+        )
+    )
     return replace(
         response, outcome=Outcome.BUDGET_SPENT,
-        advice=f"The time budget of {budget(job)} was spent; this is the part of "
-        "the path found by then. Ask for a coarser accuracy or a lower pressure.",
+        advice=f"The time budget of {budget(job)} was spent; {found}. Ask for {ways}.",
     )  # fmt: skip
+
+
+def _came_to_its_end(response: Response) -> bool:
+    """Whether only finer meshes are missing."""
+    asked = response.scene.pressure_to
+    if asked is None or not response.path:
+        return False
+    return abs(response.path[-1].pressure - asked) <= 1e-6 * abs(asked)
 
 
 def _insist(write: Callable[[], T]) -> T:
