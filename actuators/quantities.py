@@ -78,6 +78,12 @@ def two_digits(value: float) -> str:
     return f"{float(f'{value:.2g}'):g}"
 
 
+def kilopascals(pressure: float, digits: int = 4) -> str:
+    """A pressure [Pa] to read, in kPa: no power of ten, thousands apart ("10 000")."""
+    value = float(f"{pressure / 1e3:.{digits}g}")
+    return f"{value:,.10g}".replace(",", " ") if abs(value) >= 1e4 else f"{value:.10g}"
+
+
 def percent(share: float) -> str:
     """A fraction in words: two digits, and no more than anybody can picture."""
     if not math.isfinite(share) or share > 10.0:

@@ -1,6 +1,6 @@
 """Every error of the API in one form: what is wrong, with which entry, and how to mend it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from fastapi import FastAPI, Request
@@ -9,13 +9,23 @@ from fastapi.responses import JSONResponse
 from pydantic import BaseModel, Field
 from starlette.exceptions import HTTPException
 
-from actuators.errors import DesignError, InputError, QuestionError, SceneError
+from actuators.errors import Change, DesignError, InputError, QuestionError, SceneError
 from storage import NotFoundError, StoreAway
 
 Kind = Literal["design", "scene", "question", ""]
+AS_ANSWER = "refusal=answer"
+"""Value of the header Prefer (RFC 7240) of a client that wants the refusal of its input with status
+200: in the same form, and marked by Preference-Applied."""
 _KINDS: Mapping[type[InputError], Kind] = {
     DesignError: "design", SceneError: "scene", QuestionError: "question",
 }  # fmt: skip
+
+
+class ProposedChange(BaseModel):
+    """A new value of one parameter."""
+
+    field: str = Field(description="The parameter's name in documents, with its unit: length_mm")
+    value: float = Field(description="In that unit")
 
 
 class ProblemDetail(BaseModel):
@@ -29,6 +39,9 @@ class ProblemDetail(BaseModel):
         default="",
         description="What was refused: a design that cannot be built, a scene that cannot be, a "
         "question that this rung or this file cannot answer; empty for anything else",
+    )
+    changes: list[ProposedChange] = Field(
+        default=[], description="Changes of which each by itself mends it, the smallest first"
     )
 
 
@@ -60,28 +73,38 @@ def problem(
     value: str = "",
     mend: str = "",
     kind: Kind = "",
+    changes: Sequence[Change] = (),
 ) -> JSONResponse:
     """The one form of an error answer."""
-    detail = ProblemDetail(message=message, field=field, value=value[:200], mend=mend, kind=kind)
+    proposed = [ProposedChange(field=each.field, value=each.value) for each in changes]
+    detail = ProblemDetail(
+        message=message, field=field, value=value[:200], mend=mend, kind=kind, changes=proposed
+    )
     return JSONResponse(Problem(detail=detail).model_dump(), status_code=status)
 
 
 def install(app: FastAPI) -> None:
     """Bring every exception to the one form."""
 
-    def on_input(_: Request, error: Exception) -> JSONResponse:
+    def on_input(request: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, InputError):
             raise error
         status = 404 if isinstance(error, NotFoundError) else 422
+        # what a designer tries on the way is no error of the page's, and browsers log each 4xx
+        preferred = status == 422 and request.headers.get("prefer") == AS_ANSWER
         kinds: list[Kind] = [kind for base, kind in _KINDS.items() if isinstance(error, base)]
-        return problem(
-            status,
+        answer = problem(
+            200 if preferred else status,
             str(error),
             field=error.field,
             value=error.value,
             mend=error.mend,
             kind=kinds[0] if kinds else "",
+            changes=error.changes,
         )
+        if preferred:
+            answer.headers["Preference-Applied"] = AS_ANSWER
+        return answer
 
     def on_validation(_: Request, error: Exception) -> JSONResponse:
         if not isinstance(error, RequestValidationError):

@@ -1,11 +1,11 @@
 """Chosen effects against all effects, on random designs in random scenes.
 
-``python -m benchmarks.effects --file cases.jsonl --count 200`` solves every question twice on the
-coarsest mesh, once with the effects that the plan chooses and once with all of them forced on, and
-prints how far apart the tips end, and the ratio of processor times measured one after the other.
-What the file holds is not solved again, so that it can be stopped (``--seconds``) and go on, or run
-in parts side by side (``--part 0/2``, a file each); ``--write FILE...`` puts the table of all that
-the files hold into docs/performance.md.
+``python -m benchmarks.effects --file benchmarks/effects_cases.jsonl --count 200`` solves every
+question twice on the coarsest mesh, once with the effects that the plan chooses and once with all
+of them forced on, and prints how far apart the tips end, and the ratio of processor times measured
+one after the other. What the file holds is not solved again, so that it can be stopped
+(``--seconds``) and go on, or run in parts side by side (``--part 0/2``, a file each);
+``--write FILE...`` puts the table of all that the files hold into docs/performance.md.
 """
 
 import argparse
@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -23,8 +24,9 @@ from actuators.mechanics.cell.row import ChamberRow, chamber_row
 from actuators.mechanics.choices import NAMES, Choice
 from actuators.mechanics.continuum import solve
 from actuators.mechanics.effects import plan
+from actuators.mechanics.effects.afterwards import LOADS
 from actuators.mechanics.obstacles import Cylinder, Plate
-from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.response import Effect, Outcome, Response
 from actuators.mechanics.scene import Scene
 from benchmarks.random_questions import random_design
 
@@ -47,6 +49,7 @@ class Case:
     all_s: float
     off: tuple[str, ...]
     switched: tuple[str, ...]
+    told: tuple[str, ...]
     outcome: str
 
 
@@ -115,8 +118,13 @@ def compare(design: Design, scene: Scene, accuracy: float) -> Case:
         all_s=ended - between,
         off=tuple(n for n in NAMES if n in relevant and not effects[n].on),
         switched=tuple(n for n in NAMES if effects[n].on and not decided.on(n)),
+        told=tuple(n for n in LOADS if _told(effects[n], decided.threshold)),
         outcome=whole.outcome.value,
     )
+
+
+def _told(effect: Effect, threshold: float) -> bool:
+    return not effect.on and (effect.estimated_change_percent or 0.0) > 100 * threshold
 
 
 def apart(one: Response, other: Response) -> float:
@@ -168,7 +176,9 @@ def table(cases: Sequence[Case], accuracy: float) -> str:
         + f". Speed-up: geometric mean {np.exp(np.log(ratios).mean()):.2g}, "
         f"10 % of the questions above {np.quantile(ratios, 0.9):.2g}, "
         f"{int((ratios < 0.9).sum())} slower than with all effects. "
-        f"{len(cases) - len(known)} ended differently.",
+        f"{len(cases) - len(known)} ended differently. The look afterwards called for a load in "
+        f"{sum(bool(c.told) for c in cases)} of them, "
+        f"{sum(bool(c.told) and not c.difference <= accuracy for c in cases)} beyond the accuracy.",
     ]  # fmt: skip
     return "\n".join(lines) + "\n"
 
@@ -194,10 +204,11 @@ def read(files: Sequence[Path]) -> dict[int, Case]:
     """Cases that the files hold, by their number."""
     found: dict[int, Case] = {}
     for line in (line for file in files if file.exists() for line in file.read_text().splitlines()):
-        entry = json.loads(line)
+        entry: dict[str, Any] = json.loads(line)
         number = entry.pop("number")
-        off, switched = tuple(entry.pop("off")), tuple(entry.pop("switched"))
-        found[number] = Case(off=off, switched=switched, **entry)
+        for names in ("off", "switched", "told"):
+            entry[names] = tuple(entry[names])
+        found[number] = Case(**entry)
     return dict(sorted(found.items()))
 
 
@@ -221,7 +232,7 @@ def measure(
         print(
             f"{mark} {number:3d} {case.family:8s} {case.difference:8.2%} "
             f"{case.all_s / case.chosen_s:6.2f} x  {case.all_s:5.1f} s  off: {','.join(case.off)}"
-            f"  on: {','.join(case.switched)}  {case.outcome}",
+            f"  on: {','.join(case.switched)}  told: {','.join(case.told)}  {case.outcome}",
             flush=True,
         )
         if mark == "!!":

@@ -2,6 +2,7 @@
 
 from storage.body_files import BodyFiles
 from storage.errors import HistoryError, NewerDatabaseError, NotFoundError, StoreAway
+from storage.parts import Part
 from storage.rows import (
     ClaimedJob,
     DesignRow,
@@ -18,6 +19,6 @@ from storage.store import Store, open_store
 
 __all__ = [
     "BodyFiles", "ClaimedJob", "DesignRow", "EventRow", "HistoryError", "Hold", "JobRow",
-    "JobState", "NewerDatabaseError", "NotFoundError", "ResultRow", "Store", "StoreAway",
+    "JobState", "NewerDatabaseError", "NotFoundError", "Part", "ResultRow", "Store", "StoreAway",
     "TimingRow", "VersionRow", "WorkerRow", "open_store",
 ]  # fmt: skip

@@ -1,37 +1,30 @@
-"""The worker's side of a job: claim it, keep it, report, finish; and what is done when it dies.
+"""The worker's side of a job: claim it, keep it, report, finish.
 
 A claim is a lease. Every later write names the attempt it belongs to, so that a worker that was
 given up (asleep, cut off) can write nothing any more. The job's row is the truth, a message in the
 broker only wakes a worker.
 """
 
-import time
 from collections.abc import Mapping
 from datetime import timedelta
 from typing import Any
 
-from sqlalchemy import Connection, and_, func, or_, select, update
+from sqlalchemy import Connection, and_, func, select, update
 
 from storage import tables
 from storage.body_files import BodyFiles
 from storage.jobs import jobs_where
+from storage.parts import Part, kept_in_words
 from storage.question import Failure, question_digest
 from storage.results import closed_result
-from storage.rows import ClaimedJob, Hold, JobRow, ResultRow
+from storage.rows import ClaimedJob, Hold, JobRow
 from storage.submission import Submission
 
 LEASE = timedelta(seconds=9)
-MAX_LOST = 3
-_RESEND_IDLE = timedelta(seconds=5)
-_RESEND_BUSY = timedelta(seconds=30)
-_RESEND_COUNT = 8
-_PRUNE_S = 600.0
 
 
 class Claims(Submission):
     """Claiming, keeping and ending jobs; all of it safe to repeat."""
-
-    _prune_at = 0.0
 
     def claim(
         self, job_id: str, *, worker: str, science_version: str, lease: timedelta = LEASE
@@ -64,6 +57,8 @@ class Claims(Submission):
             ).scalar_one_or_none()
             if taken is None:
                 return None
+            if digest != job.digest:
+                self._drop_part(connection, job_id)
             answer = closed_result(connection, digest)
             named = {"science_version": science_version, "digest": digest}
             if answer is not None:
@@ -125,6 +120,15 @@ class Claims(Submission):
                 )  # fmt: skip
             return hold
 
+    def keep_part(self, job_id: str, attempt: int, part: Part) -> bool:
+        """Keep what the solver has found so far, in place of what was kept before. False if the
+        claim is gone."""
+        with self._write() as connection:
+            if not jobs_where(connection, _held(job_id, attempt)):
+                return False
+            self._keep_part(connection, job_id, attempt, part)
+            return True
+
     def finish(
         self, job_id: str, attempt: int, document: Mapping[str, Any], arrays: bytes,
         body_files: BodyFiles | None = None,
@@ -140,13 +144,18 @@ class Claims(Submission):
 
     def fail(
         self, job_id: str, attempt: int, error: str, *, why: Failure = "failed",
-        advice: str | None = None,
+        advice: str | None = None, part: Part | None = None,
     ) -> bool:  # fmt: skip
-        """Close a job without an answer; ``error`` and ``advice`` are for the designer."""
+        """Close a job without an answer; ``error`` and ``advice`` are for the designer. The
+        ``part`` of the path found by then, or the one kept before, is its result, unless the
+        question was refused."""
         with self._write() as connection:
-            if not jobs_where(connection, _held(job_id, attempt)):
+            found = jobs_where(connection, _held(job_id, attempt))
+            if not found:
                 return False
-            self._close_failed(connection, job_id, error, why, advice)
+            if part is not None:
+                self._keep_part(connection, job_id, attempt, part)
+            self._close_failed(connection, found[0], error, why, advice)
             return True
 
     def confirm_cancel(
@@ -160,75 +169,12 @@ class Claims(Submission):
             if not found:
                 return False
             if document is not None:
+                self._drop_part(connection, job_id)
                 self._store_answer(connection, found[0], document, arrays, body_files)
                 values = {"outcome": document["outcome"], "advice": document.get("advice")}
                 connection.execute(update(tables.job).where(_held(job_id, attempt)).values(values))
             self._end_cancelled(connection, job_id)
             return True
-
-    def release(self, worker: str | None, *, lost: bool) -> list[str]:
-        """Put the jobs of a worker back (of every worker if None), without waiting for the lease:
-        ``lost`` when it died, else when it leaves in order. Returns their ids."""
-        j = tables.job.c
-        mine = and_(j.state == "running", j.follows.is_(None))
-        if worker is not None:
-            mine = and_(mine, j.worker == worker)
-        with self._write() as connection:
-            jobs = jobs_where(connection, mine)
-            for job in jobs:
-                self._give_back(connection, job, lost=lost)
-            self._resend_all(connection)
-        return [job.id for job in jobs]
-
-    def sweep(self) -> list[str]:
-        """Put jobs whose lease ran out back into the queue, and return the ids of the queued jobs
-        that a message must now be sent for; now and then, prune the events. Due each second, by
-        one process or several."""
-        if time.monotonic() > self._prune_at:
-            self._prune_at = time.monotonic() + _PRUNE_S
-            self.prune_events()
-        j = tables.job.c
-        with self._read() as connection:
-            now = self._now(connection)
-            expired = _expired(now)
-            if not connection.execute(
-                select(j.id).where(or_(expired, _waiting())).limit(1)
-            ).first():
-                return []
-        with self._write() as connection:
-            for job in jobs_where(connection, expired):
-                self._give_back(connection, job, lost=True)
-            return self._publish(connection)
-
-    def _store_answer(
-        self, connection: Connection, job: JobRow, document: Mapping[str, Any], arrays: bytes,
-        body_files: BodyFiles | None,
-    ) -> ResultRow:  # fmt: skip
-        names = ("digest", "design_digest", "scene_digest", "rung", "accuracy", "mesh")
-        question = {name: getattr(job, name) for name in (*names, "science_version")}
-        return self._store_result(connection, question, document, arrays, body_files)
-
-    def _publish(self, connection: Connection) -> list[str]:
-        """Ids to send a message for: new ones, and those whose message seems to be lost."""
-        j = tables.job
-        now = self._now(connection)
-        running = connection.execute(select(j.c.id).where(j.c.state == "running").limit(1)).first()
-        patience = _RESEND_BUSY if running else _RESEND_IDLE
-        ordered = (j.c.created_at, j.c.id)
-        new = select(j.c.id).where(_waiting(), j.c.published_at.is_(None)).order_by(*ordered)
-        oldest = select(j.c.id, j.c.published_at).where(_waiting()).order_by(*ordered)
-        due = [
-            row.id
-            for row in connection.execute(oldest.limit(_RESEND_COUNT))
-            if row.published_at is not None and row.published_at < now - patience
-        ]
-        ids = [*due, *connection.execute(new).scalars()]
-        connection.execute(update(j).where(j.c.id.in_(ids)).values(published_at=now))
-        return ids
-
-    def _resend_all(self, connection: Connection) -> None:
-        # messages that a dead worker had taken died with it, and nobody knows which
-        connection.execute(update(tables.job).where(_waiting()).values(published_at=None))
 
     def _renew(self, connection: Connection, job_id: str, attempt: int, lease: timedelta) -> Hold:
         return _hold(
@@ -240,30 +186,11 @@ class Claims(Submission):
             ).scalar_one_or_none()
         )
 
-    def _give_back(self, connection: Connection, job: JobRow, *, lost: bool) -> None:
-        losses = job.lost + lost
-        if job.cancel_requested:
-            self._end_cancelled(connection, job.id)
-        elif losses >= MAX_LOST:
-            self._change_job(connection, job.id, lost=losses)
-            at = "" if job.pressure is None else f", last at {job.pressure / 1e3:.3g} kPa"
-            self._close_failed(
-                connection, job.id,
-                f"The worker was lost {losses} times while computing this{at}; most often it "
-                "ran out of memory.", "worker_lost",
-                "Ask for a coarser accuracy or mesh, or look into the worker's log.",
-            )  # fmt: skip
-        else:
-            self._change_job(
-                connection, job.id, state="queued", lost=losses, lease_until=None, worker=None,
-                message="The worker was lost; starting again" if lost else "Waiting for a worker",
-            )  # fmt: skip
-            self._resend_all(connection)
-
     def _close_done(
         self, connection: Connection, job: JobRow, document: Mapping[str, Any], **more: Any
     ) -> None:
         now = self._now(connection)
+        self._drop_part(connection, job.id)
         self._change_job(
             connection, job.id, state="done", fraction=1.0, message="Done",
             outcome=document["outcome"], advice=document.get("advice"), lease_until=None,
@@ -272,11 +199,22 @@ class Claims(Submission):
         )  # fmt: skip
 
     def _close_failed(
-        self, connection: Connection, job_id: str, error: str, why: Failure, advice: str | None
+        self, connection: Connection, job: JobRow, error: str, why: Failure, advice: str | None
     ) -> None:
+        def told(part: Mapping[str, Any]) -> str:
+            return " ".join(filter(None, (error, kept_in_words(part), advice)))
+
+        part = None
+        if why == "refused":
+            self._drop_part(connection, job.id)
+        else:
+            part = self._part_as_result(connection, job, why, told)
+        if part is not None:
+            advice = " ".join(filter(None, (kept_in_words(part), advice)))
         self._change_job(
-            connection, job_id, state="failed", message="Failed", error=error, outcome=why,
-            advice=advice, lease_until=None, finished_at=self._now(connection),
+            connection, job.id, state="failed", message="Failed", error=error, outcome=why,
+            advice=advice, kept_part=part is not None, lease_until=None,
+            finished_at=self._now(connection),
         )  # fmt: skip
 
 
@@ -289,13 +227,3 @@ def _hold(cancel_requested: bool | None) -> Hold:
     if cancel_requested is None:
         return Hold.GONE
     return Hold.CANCEL if cancel_requested else Hold.HELD
-
-
-def _expired(now: Any) -> Any:
-    j = tables.job.c
-    return and_(j.state == "running", j.follows.is_(None), j.lease_until < now)
-
-
-def _waiting() -> Any:
-    j = tables.job.c
-    return and_(j.state == "queued", j.follows.is_(None))

@@ -5,7 +5,9 @@ PNEUSTUDIO_BROKER (Celery address, ``redis://...`` or ``filesystem:///folder``) 
 inside it. PNEUSTUDIO_QUEUE names the queue, for studios that share one Redis.
 """
 
+import json
 import os
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +18,7 @@ from actuators.places import data_folder
 
 TASK = "pneustudio.solve"
 QUEUE = "pneustudio"
+_WRITTEN_S = 0.2  # by then a note that is being written is whole
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,7 @@ def celery_settings(broker: str) -> dict[str, Any]:
         messages, taken, control = folder / "messages", folder / "taken", folder / "control"
         for each in (messages, taken, control):
             each.mkdir(parents=True, exist_ok=True)
+        _mend(control)
         settings |= {
             "broker_url": "filesystem://localhost//",
             "broker_transport_options": {
@@ -86,3 +90,24 @@ def celery_settings(broker: str) -> dict[str, Any]:
             },
         }
     return settings
+
+
+def _mend(control: Path) -> None:
+    """A process killed while it notes which queues there are leaves half a note, and no later one
+    would come past it. Without a note the next one writes it anew."""
+    torn = [note for note in control.glob("*.exchange") if not _is_whole(note)]
+    if torn:
+        time.sleep(_WRITTEN_S)
+    for note in torn:
+        if not _is_whole(note):
+            note.unlink(missing_ok=True)
+
+
+def _is_whole(note: Path) -> bool:
+    try:
+        json.loads(note.read_bytes())
+    except FileNotFoundError:
+        return True
+    except ValueError:
+        return False
+    return True

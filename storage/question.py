@@ -14,10 +14,12 @@ from actuators.errors import QuestionError
 # rungs that workers compute; `worker.rungs` has one solver for each
 JOB_RUNGS = ("fe", "cell-rod", "energy", "closed-form")
 DEFAULT_BUDGET_S = 2 * 3600.0
+# ends of a job that nobody asked for; its result is the part of the path found by then
+BROKEN_OFF = ("failed", "worker_lost")
 # what leaves the answer open: such a result is shown, but the same question is computed again
-OPEN_OUTCOMES = ("cancelled", "budget_spent")
-# how a job ends without any answer: the question cannot be solved, the solver broke down, its
-# workers vanished, or not even one step fitted into the time
+OPEN_OUTCOMES = ("cancelled", "budget_spent", *BROKEN_OFF)
+# how a job ends without an answer, or with what its worker had found by then: the question cannot
+# be solved, the solver broke down, its workers vanished, or one step did not fit into the time
 Failure = Literal["refused", "failed", "worker_lost", "budget_spent"]
 
 _SCIENCE = ("design", "materials", "geometry", "meshing", "mechanics")

@@ -10,7 +10,7 @@ from actuators.mechanics.scene import Scene
 from storage import tables
 from storage.body_files import BodyFiles, BodyFilesKept
 from storage.errors import NotFoundError
-from storage.question import OPEN_OUTCOMES
+from storage.question import BROKEN_OFF, OPEN_OUTCOMES
 from storage.rows import ResultRow
 
 ARRAYS = "application/x-npz"
@@ -32,7 +32,8 @@ class Results(BodyFilesKept):
     ) -> ResultRow | None:
         """Stored answer of a rung for a design in a scene, whoever asked: the newest of the
         most accurate; one on a mesh that was asked for only where there is no other. It may come
-        from an older ``science_version``. Never the part that a cancelled job had found."""
+        from an older ``science_version``. Never the part that a cancelled or failed job had
+        found."""
         r = tables.result
         query = (
             select(r)
@@ -40,7 +41,7 @@ class Results(BodyFilesKept):
                 r.c.design_digest == parse_design(document).digest,
                 r.c.scene_digest == Scene.from_document(scene).digest,
                 r.c.rung == rung,
-                r.c.outcome != "cancelled",
+                r.c.outcome.not_in(("cancelled", *BROKEN_OFF)),
             )
             .order_by(r.c.mesh.is_not(None), r.c.accuracy, r.c.created_at.desc())
             .limit(1)

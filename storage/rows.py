@@ -58,7 +58,8 @@ class JobRow:
     ``from_store``: answered by a result that another job had computed. ``follows``: the job that
     computes the same question for another version. ``lost``: attempts whose worker vanished.
     ``outcome``: how the answer ended, of a job that failed why there is none
-    (:data:`storage.question.Failure`).
+    (:data:`storage.question.Failure`). ``kept_part``: of such a job, whether the part of the path
+    that was found by then is its result.
     """
 
     id: str
@@ -92,6 +93,7 @@ class JobRow:
     lost: int
     worker: str | None
     cancel_requested: bool
+    kept_part: bool
 
     @property
     def active(self) -> bool:
@@ -99,8 +101,11 @@ class JobRow:
 
     @property
     def has_answer(self) -> bool:
-        """Whether there is a result: of a job that was cancelled, the part found by then."""
-        return self.state == "done" or (self.state == "cancelled" and self.outcome is not None)
+        """Whether there is a result: of a job that was cancelled or failed, the part found by
+        then."""
+        if self.state == "cancelled":
+            return self.outcome is not None
+        return self.state == "done" or (self.state == "failed" and self.kept_part)
 
     def elapsed_s(self, now: datetime | None = None) -> float | None:
         """Seconds computed so far, or in all; None before the start."""

@@ -7,14 +7,14 @@ from alembic.config import Config
 from alembic.runtime.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
-from storage.claims import Claims
 from storage.designs import Designs
 from storage.errors import NewerDatabaseError
+from storage.losses import Losses
 from storage.timings import Timings
 from storage.workers import Workers
 
 
-class Store(Designs, Claims, Timings, Workers):
+class Store(Designs, Losses, Timings, Workers):
     """Designs, jobs, results, events and workers in one database.
 
     Every method is one transaction and may be called from any thread or process. Those that wait

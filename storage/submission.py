@@ -10,6 +10,7 @@ from storage import tables
 from storage.database import new_id
 from storage.errors import NotFoundError
 from storage.jobs import ACTIVE, Jobs, jobs_where
+from storage.parts import Parts, run_again
 from storage.question import (
     DEFAULT_BUDGET_S,
     check_mesh,
@@ -17,7 +18,7 @@ from storage.question import (
     question_digest,
     science_version,
 )
-from storage.results import Results, closed_result
+from storage.results import closed_result
 from storage.rows import JobRow
 
 _NEW: Mapping[str, Any] = {
@@ -26,7 +27,7 @@ _NEW: Mapping[str, Any] = {
 }  # fmt: skip
 
 
-class Submission(Jobs, Results):
+class Submission(Jobs, Parts):
     """Submitting and cancelling jobs."""
 
     def submit(
@@ -87,8 +88,14 @@ class Submission(Jobs, Results):
             return jobs_where(connection, tables.job.c.id == job_id)[0]
 
     def _end_cancelled(self, connection: Connection, job_id: str) -> None:
-        """Close one job as cancelled; jobs that waited for its answer go back to the queue."""
+        """Close one job as cancelled, with the part of the path it had found where that is known;
+        jobs that waited for its answer go back to the queue."""
         j = tables.job
+        job = jobs_where(connection, j.c.id == job_id)[0]
+        part = self._part_as_result(connection, job, "cancelled", run_again)
+        if part is not None:
+            ending = {"outcome": "cancelled", "advice": part["advice"]}
+            connection.execute(update(j).where(j.c.id == job_id).values(**ending))
         heirs = jobs_where(connection, j.c.follows == job_id)
         for heir in heirs:
             first = heir.id == heirs[0].id

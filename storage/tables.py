@@ -21,6 +21,7 @@ from sqlalchemy import (
     Text,
     TypeDecorator,
     UniqueConstraint,
+    false,
 )  # fmt: skip
 
 JOB_STATES = ("queued", "running", "done", "failed", "cancelled")
@@ -114,8 +115,20 @@ job = Table(
     Column("worker", String(200)),
     Column("cancel_requested", Boolean, nullable=False),
     Column("published_at", Instant),
+    # of a job that failed: whether the part of the path found by then is its result
+    Column("kept_part", Boolean, nullable=False, server_default=false()),
     CheckConstraint(f"state IN {JOB_STATES}", name="state"),
     Index("ix_job_state_created_at", "state", "created_at"),
+)  # fmt: skip
+
+# of jobs under way: what is left where their workers vanish
+part = Table(
+    "part", metadata,
+    Column("job_id", ID, ForeignKey("job.id"), primary_key=True),
+    Column("attempt", Integer, nullable=False),
+    Column("fraction", Double, nullable=False),
+    Column("document", JSON, nullable=False),
+    Column("arrays", LargeBinary, nullable=False),
 )  # fmt: skip
 
 artifact = Table(

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Literal
 
-from storage import ClaimedJob, Hold, Store
+from storage import ClaimedJob, Hold, Part, Store
 from storage.claims import LEASE
+from worker.path_kept import Make, PathKept, as_part
 from worker.rungs import Report
 
 Stop = Literal["cancel", "gone", "budget"]
@@ -23,7 +24,8 @@ GRACE_S = {"cancel": 3.0, "gone": 3.0, "budget": 60.0}  # then the process ends
 class Keeper:
     """A thread beside the solver, which does the talking to the store.
 
-    The solver calls :meth:`report` and :meth:`cancelled`, neither of which waits for the store.
+    The solver calls :meth:`report`, :meth:`found` and :meth:`cancelled`, none of which waits for
+    the store.
     A solver that does not stop when it should is ended with its process: ``end_process``.
     """
 
@@ -38,6 +40,8 @@ class Keeper:
         self._beat_at = time.monotonic()
         self._stop_at = 0.0
         self._latest: Report | None = None
+        self._fraction = 0.0
+        self._path = PathKept()
         self._news = threading.Event()
         self._solved = False
         self._left = False
@@ -58,10 +62,25 @@ class Keeper:
     def report(self, progress: Report) -> None:
         """Progress callback of the solver."""
         self._latest = progress
+        self._fraction = progress.fraction
         self._news.set()
+
+    def found(self, make: Make) -> None:
+        """Callback of the solver, with every state of its path."""
+        self._path.offer(make)
+
+    def part(self) -> Part | None:
+        """All that the solver had found when it broke down."""
+        try:
+            newest = self._path.newest()
+            return None if newest is None else as_part(newest, self._fraction)
+        except Exception:
+            _logger.exception("job %s: no part of the path", self._job.id)
+            return None
 
     def cancelled(self) -> bool:
         """Cancel callback of the solver."""
+        self._path.look()
         if self.stop is None and time.monotonic() > self._deadline:
             self._order("budget")
         return self.stop is not None
@@ -103,6 +122,21 @@ class Keeper:
             hold = self._store.hold(job_id, attempt)
         if not self._solved and self.stop is None and hold is not Hold.HELD:
             self._order("cancel" if hold is Hold.CANCEL else "gone")
+        if not self._solved and hold is not Hold.GONE:
+            self._keep_part()
+
+    def _keep_part(self) -> None:
+        made = self._path.take()
+        if made is None:
+            return
+        started, worked = time.perf_counter(), time.thread_time()
+        part = as_part(made, self._fraction)
+        self._store.keep_part(self._job.id, self._job.attempt, part)
+        self._path.spend(time.thread_time() - worked)
+        _logger.info(
+            "job %s: %d points kept, %.2f MB, %.2f s", self._job.id, len(made.path),
+            len(part.arrays) / 1e6, time.perf_counter() - started,
+        )  # fmt: skip
 
     def _order(self, why: Stop) -> None:
         _logger.info("job %s: stopping (%s)", self._job.id, why)

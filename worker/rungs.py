@@ -36,6 +36,7 @@ class Solved:
 
 class Solver(Protocol):
     """Answers a question; calls ``progress`` now and then and stops soon after ``cancelled()``.
+    ``found`` is offered what makes an answer of the path found so far.
 
     ``mesh``: the one mesh to solve on, by name or layers; None to refine to ``accuracy``.
     """
@@ -49,6 +50,7 @@ class Solver(Protocol):
         mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
+        found: Callable[[Callable[[], Response]], None],
     ) -> Solved: ...
 
 
@@ -60,12 +62,13 @@ def _fe(
     mesh: str | None,
     progress: Callable[[Report], None],
     cancelled: Callable[[], bool],
+    found: Callable[[Callable[[], Response]], None],
 ) -> Solved:
     from actuators.export.whole_body import WholeBody
     from actuators.mechanics.continuum.progress import Monitor
     from actuators.mechanics.continuum.solve import solve_with_states
 
-    monitor = Monitor(progress, cancelled, None)
+    monitor = Monitor(progress, cancelled, None, found)
     solution = solve_with_states(design, scene, monitor, accuracy=accuracy, mesh=mesh)
 
     def body_files(at_most: int) -> BodyFiles | None:
@@ -84,6 +87,7 @@ def _instant(rung: str) -> Solver:
         mesh: str | None,
         progress: Callable[[Report], None],
         cancelled: Callable[[], bool],
+        found: Callable[[Callable[[], Response]], None],
     ) -> Solved:
         from actuators.mechanics.predict import predict
 

@@ -12,6 +12,7 @@ from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
 from storage import BodyFiles, ClaimedJob, Store, StoreAway
 from storage.body_files import BODY_FILES_AT_MOST
+from storage.parts import came_to_its_end, run_again
 from storage.question import science_version
 from storage.response_arrays import pack
 from worker.keeper import Keeper, Stop, budget
@@ -55,8 +56,9 @@ def _compute(store: Store, job: ClaimedJob, keeper: Keeper) -> Callable[[], bool
     except Exception as error:
         _logger.exception("job %s: the solver failed", job.id)
         message = f"The solver broke down ({type(error).__name__}: {str(error)[:200]})."
+        advice, part = _AFTER_A_BREAKDOWN + job.id, keeper.part()
         return lambda: _insist(
-            lambda: store.fail(job.id, job.attempt, message, advice=_AFTER_A_BREAKDOWN + job.id)
+            lambda: store.fail(job.id, job.attempt, message, advice=advice, part=part)
         )
     keeper.solved()
     close = store.confirm_cancel if response.outcome is Outcome.CANCELLED else store.finish
@@ -90,20 +92,18 @@ def _solve(job: ClaimedJob, keeper: Keeper) -> Solved:
         mesh=job.mesh,
         progress=keeper.report,
         cancelled=keeper.cancelled,
+        found=keeper.found,
     )
 
 
 def part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Response:
     """An answer that was stopped, with what is missing of it and how to have that."""
-    whole = _came_to_its_end(response)
+    document = response.to_document()
     if stop != "budget":
-        missing = "the accuracy asked for" if whole else "the rest of the path"
-        return replace(
-            response, advice=f"Run it again for {missing}; it starts from the beginning."
-        )
+        return replace(response, advice=run_again(document))
     found, ways = (
         ("this is the path on a coarser mesh than asked for", "a coarser accuracy")
-        if whole
+        if came_to_its_end(document)
         else (
             "this is the part of the path found by then",
             "a coarser accuracy or a lower pressure",
@@ -113,14 +113,6 @@ def part_found(response: Response, job: ClaimedJob, stop: Stop | None) -> Respon
         response, outcome=Outcome.BUDGET_SPENT,
         advice=f"The time budget of {budget(job)} was spent; {found}. Ask for {ways}.",
     )  # fmt: skip
-
-
-def _came_to_its_end(response: Response) -> bool:
-    """Whether only finer meshes are missing."""
-    asked = response.scene.pressure_to
-    if asked is None or not response.path:
-        return False
-    return abs(response.path[-1].pressure - asked) <= 1e-6 * abs(asked)
 
 
 def _insist(write: Callable[[], T]) -> T:

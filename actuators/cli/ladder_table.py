@@ -1,13 +1,14 @@
 """A ladder as text."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import click
 
 from actuators.cli.tables import table
-from actuators.mechanics.ladder import Choice, Ladder, Point
+from actuators.mechanics.ladder import Choice, Ladder, Point, Rung
+from actuators.mechanics.ladder.points import Span
 from actuators.mechanics.response import Outcome
-from actuators.quantities import percent, two_digits
+from actuators.quantities import kilopascals, percent, two_digits
 
 HEADINGS = (
     "rung",
@@ -20,9 +21,16 @@ HEADINGS = (
 )
 
 
-def print_ladder(built: Ladder, choices: Sequence[Choice], budget: float | None) -> None:
-    """Table, then what must be read beside it."""
-    click.echo(table(HEADINGS, [_row(point) for point in built.points]))
+def print_ladder(
+    built: Ladder,
+    choices: Sequence[Choice],
+    budget: float | None,
+    predicted: Mapping[Rung, Span] | None = None,
+) -> None:
+    """Table, then what must be read beside it. ``predicted``: seconds as they were, before each
+    run of this command."""
+    before = predicted or {}
+    click.echo(table(HEADINGS, [_row(point, before.get(point.rung)) for point in built.points]))
     best = built.best
     if best is not None:
         click.echo(
@@ -37,6 +45,7 @@ def print_ladder(built: Ladder, choices: Sequence[Choice], budget: float | None)
         "~: predicted, from "
         + (f"{learned} past jobs of this machine" if learned else "no job of this machine yet")
         + " and the package's record; a range holds four of five."
+        + (" Beside the seconds of a run stands what was predicted before it." if before else "")
     )
     if budget is not None:
         click.echo(f"Finite elements were given {budget:g} s in all (--budget, --run).")
@@ -51,18 +60,23 @@ def print_ladder(built: Ladder, choices: Sequence[Choice], budget: float | None)
             click.echo(f"  {point.rung.name} leaves out: {', '.join(point.rung.leaves_out)}.")
 
 
-def _row(point: Point) -> list[str]:
-    return [point.rung.label, _seconds(point), _error(point), _compared(point), _tip(point),
+def _row(point: Point, before: Span | None) -> list[str]:
+    return [point.rung.label, _seconds(point, before), _error(point), _compared(point), _tip(point),
             _end(point), _standing(point)]  # fmt: skip
 
 
-def _seconds(point: Point) -> str:
+def _seconds(point: Point, before: Span | None) -> str:
     if point.seconds is None or point.same_as is not None:
         return "-"
-    if point.state == "measured":
-        return f"{point.seconds.value:.2g}"
-    low, high = two_digits(point.seconds.low), two_digits(point.seconds.high)
-    return f"~{two_digits(point.seconds.value)} ({low} to {high})"
+    if point.state != "measured":
+        return _expected(point.seconds)
+    took = f"{point.seconds.value:.2g}"
+    return took if before is None else f"{took}, {_expected(before)} predicted"
+
+
+def _expected(seconds: Span) -> str:
+    low, high = two_digits(seconds.low), two_digits(seconds.high)
+    return f"~{two_digits(seconds.value)} ({low} to {high})"
 
 
 def _error(point: Point) -> str:
@@ -84,7 +98,7 @@ def _digits(share: float) -> str:
 
 def _compared(point: Point) -> str:
     if point.apart is not None:
-        return f"{point.apart.pressure / 1e3:.4g}"
+        return kilopascals(point.apart.pressure)
     return "-" if point.error is None else _end(point)
 
 
@@ -95,7 +109,7 @@ def _tip(point: Point) -> str:
 
 
 def _end(point: Point) -> str:
-    return "-" if point.pressure is None else f"{point.pressure / 1e3:.4g}"
+    return "-" if point.pressure is None else kilopascals(point.pressure)
 
 
 def _standing(point: Point) -> str:

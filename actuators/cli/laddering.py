@@ -27,6 +27,7 @@ from actuators.mechanics.ladder import (
     ladder_rungs,
     read_rung,
 )
+from actuators.mechanics.ladder.points import Span
 from actuators.mechanics.response import Outcome, Response
 from actuators.mechanics.scene import Scene
 from actuators.quantities import parse_quantity
@@ -88,7 +89,7 @@ def ladder(
     if as_json:
         answer({**built.to_document(taken), "budget_s": seconds})
     else:
-        print_ladder(built, taken, seconds)
+        print_ladder(built, taken, seconds, session.predicted)
 
 
 @dataclass(eq=False)
@@ -102,6 +103,7 @@ class Session:
     refusals: dict[Rung, str] = field(default_factory=dict)
     spent: dict[Rung, float] = field(default_factory=dict)
     chosen: dict[Limit, Point] = field(default_factory=dict)
+    predicted: dict[Rung, Span] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._costs = cost_model()
@@ -155,6 +157,9 @@ class Session:
         """Run finite elements, and remember how long they took."""
         if interrupted() or rung.is_instant:
             return
+        before = next((p for p in self.ladder().points if p.rung == rung), None)
+        if before is not None and before.state == "predicted" and before.seconds is not None:
+            self.predicted[rung] = before.seconds
         solve = self._solver()
         click.echo(f"{rung.label}:", err=True)
         try:

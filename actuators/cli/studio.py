@@ -59,7 +59,8 @@ def _report(message: str, field: str, value: str, mend: str, *, as_json: bool) -
         error = {"message": message, "field": field, "value": value, "mend": mend}
         click.echo(json.dumps({"error": error}, ensure_ascii=False), err=True)
         return
-    tail = "" if not mend or mend.rstrip(".") in message else f" {mend}"
+    said = mend.rstrip(".").casefold() in message.casefold()
+    tail = "" if said else f" {mend}"
     click.echo(f"pneustudio: {message}{tail}", err=True)
 
 

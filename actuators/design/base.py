@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from actuators.design.parameter import Parameter, describe
-from actuators.errors import DesignError
+from actuators.errors import Change, DesignError
 
 
 class Design(BaseModel):
@@ -125,12 +125,14 @@ def _check_limits(p: Parameter, value: Any) -> None:
             f"{p.name} is {border:.10g}{unit}, below its limit of {p.lower:g}{unit}.",
             field=p.name, value=f"{border:.10g}{unit}",
             mend=f"Raise {p.name} to {p.lower:g}{unit} or more.",
+            changes=(Change(p.border_name, p.lower),),
         )  # fmt: skip
     if p.upper is not None and border > p.upper + slack:
         raise DesignError(
             f"{p.name} is {border:.10g}{unit}, above its limit of {p.upper:g}{unit}.",
             field=p.name, value=f"{border:.10g}{unit}",
             mend=f"Lower {p.name} to {p.upper:g}{unit} or less.",
+            changes=(Change(p.border_name, p.upper),),
         )  # fmt: skip
 
 

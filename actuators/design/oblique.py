@@ -12,6 +12,7 @@ import numpy as np
 
 from actuators.design.base import Design
 from actuators.design.blocks import BlockBar
+from actuators.design.mends import fitting
 from actuators.design.parameter import parameter
 from actuators.errors import DesignError
 
@@ -189,4 +190,5 @@ class ObliqueDesign(Design):
                 f"{needed * 1e3:.4g} mm. Lengthen the bar, use fewer chambers or a larger angle.",
                 field="length", value=f"{self.length * 1e3:.4g} mm",
                 mend="Lengthen the bar, use fewer chambers or a larger angle.",
+                changes=fitting(needed, self.length, self.chamber_count, self.pitch),
             )  # fmt: skip

@@ -11,6 +11,7 @@ from typing import ClassVar, Literal
 
 from actuators.design.base import Design
 from actuators.design.blocks import BlockBar, Sheet
+from actuators.design.mends import fitting
 from actuators.design.parameter import parameter
 from actuators.errors import DesignError
 
@@ -179,6 +180,7 @@ class PrintedDesign(Design):
                 field="length", value=_mm(self.length),
                 mend="Lengthen the bar, use fewer chambers, or shorten chamber_length, "
                 "wall_thickness or gap.",
+                changes=fitting(needed, self.length, self.chamber_count, bar.pitch),
             )  # fmt: skip
 
     def _check_layer(self) -> None:

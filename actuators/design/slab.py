@@ -12,7 +12,7 @@ import numpy as np
 
 from actuators.design.base import Design
 from actuators.design.parameter import parameter
-from actuators.errors import DesignError
+from actuators.errors import Change, DesignError
 
 NOT_GIVEN = "is not given in the paper (S); the studio's default is an assumption"
 SMALLEST_WALL = 0.3e-3
@@ -164,6 +164,7 @@ class SlabDesign(Design):
                 f"({self.width * 1e3:.4g} mm). Lower tip_width or raise width.",
                 field="tip_width", value=f"{self.tip_width * 1e3:.4g} mm",
                 mend="Lower tip_width or raise width.",
+                changes=(Change("tip_width_mm", self.width * 1e3),),
             )  # fmt: skip
         if self.planform == "ellipse" and self.side_radius <= self.length / 2:
             raise DesignError(

@@ -40,7 +40,7 @@ def cancel(store: Store, job_id: str) -> Job:
 
 
 def result(store: Store, job_id: str) -> ResultDocument:
-    """The stored answer of a job, of a cancelled one the part found; 404 where there is none."""
+    """The stored answer of a job, or the part found before it was cancelled or failed; else 404."""
     job = store.get_job(job_id)
     if not job.has_answer:
         raise NotFoundError("result of job", job_id)

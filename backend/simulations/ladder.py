@@ -20,7 +20,7 @@ from backend.simulations.aside import Kept
 from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest
 from backend.simulations.past_jobs import cost_model
 from storage import JobRow, ResultRow, Store
-from storage.question import OPEN_OUTCOMES, science_version
+from storage.question import BROKEN_OFF, OPEN_OUTCOMES, science_version
 
 BESIDE = Rung("cell-rod")
 """The rung that a helper process answers."""
@@ -90,8 +90,10 @@ def _take(aside: Kept | None, known: _Known) -> None:
 
 def _read_results(store: Store, design: Design, scene: Scene, known: _Known) -> None:
     """Stored answers of rungs not asked just now; of each the one of this version, else the
-    newest. One cut short leaves its rung predicted; a mesh that was asked for stands by itself."""
+    newest. One cut short leaves its rung predicted; a mesh that was asked for stands by itself.
+    Of a job that broke off, its own words say more than the part it had found."""
     rows = store.results_of(design.to_document(), scene.to_document())
+    rows = [row for row in rows if row.outcome not in BROKEN_OFF]
     rows.sort(key=lambda row: row.science_version != science_version())  # stable: newest first
     seen = {answer.rung for answer in known.answers} | set(known.refusals)
     for row in rows:

@@ -71,7 +71,10 @@ class ResultDocument(Answer):
     design: DesignDocument
     scene: SceneDocument
     rung: str
-    outcome: str = Field(description="converged, limit_point, stalled, cancelled or budget_spent")
+    outcome: str = Field(
+        description="converged, limit_point, stalled, cancelled or budget_spent; of the part of a "
+        "path that a job had found which broke off: failed or worker_lost"
+    )
     advice: str | None = Field(description="What to do about an early end")
     path: list[PathPoint] = Field(description="From zero pressure on, after gravity")
     error_estimate_percent: float | None = Field(description="Of the tip's displacement [%]")
@@ -183,12 +186,12 @@ class Job(Answer):
     pressure_kPa: float | None = Field(description="How far the solver is [kPa]")
     state: JobState
     outcome: str | None = Field(
-        description="Of the answer, as in a result document; of a failed job why there is none: "
-        "refused, failed, worker_lost or budget_spent"
+        description="Of the answer, as in a result document; of a failed job why there is none, "
+        "or but a part: refused, failed, worker_lost or budget_spent"
     )
     has_answer: bool = Field(
-        description="Whether there is a result to read and to show; of a cancelled job it is the "
-        "part of the path that was found by then"
+        description="Whether there is a result to read and to show; of a cancelled or failed job "
+        "it is the part of the path that was found by then"
     )
     advice: str | None
     fraction: float = Field(description="Progress, 0 to 1")

@@ -20,7 +20,8 @@ from actuators.mechanics.response import Centreline, Response
 from actuators.mechanics.scene import Scene
 from backend.simulations.instant import InstantRung, answer_in_part
 from backend.viewer.schemas import Colour
-from backend.viewer.skin import Skin, skin, swept
+from backend.viewer.skin import Skin, skin
+from backend.viewer.sweep import swept
 from storage.response_arrays import unpack
 
 MOST_FRAMES = 21

@@ -12,6 +12,7 @@ from fastapi import APIRouter, Request, WebSocket
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 from starlette.websockets import WebSocketDisconnect, WebSocketState
 
+from backend.viewer.page_scripts import HIDING, LOADED, QUIET
 from backend.viewer.rooms import RoomKeeper
 from backend.viewer.schemas import LoadedBodies
 from backend.viewer.service import SESSION_COOKIE, note_loaded
@@ -23,68 +24,6 @@ POLICY = (
     "worker-src blob: data:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
     "connect-src 'self' data: blob:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 )
-# viser's own panel, notifications and mobile sheet are hidden: the page around the frame has
-# controls of its own. So is the fade-in, which stands still half way while nothing moves.
-HIDING = """<style>
-[data-floating-window],[data-dock-region],.mantine-Notifications-root,.mantine-Paper-root
-{display:none!important}
-canvas[data-engine]{opacity:1!important}
-html,body{margin:0;height:100%;overflow:hidden;background:transparent}
-</style>"""
-# viser's page starts a sorter for Gaussian splats at load, a WASM module whose glue (Embind) builds
-# functions from strings. The policy refuses that, rightly; no splats are shown here, and nothing
-# waits for the sorter. Its failure alone is kept off the console.
-QUIET = """<script>
-addEventListener("unhandledrejection", (event) => {
-  if (event.reason instanceof EvalError) event.preventDefault();
-});
-</script>"""
-# Bodies load behind the scenes, and nothing in viser says when. three.js shows its scenes to
-# whoever calls itself its developer tools; from them the page reads how many bodies of each take
-# are in place, and tells the room, which lets new bodies take the old ones' place only then.
-LOADED = """<script>
-{
-  // two takes are never shown together: one that stays beside a newer one was removed while it was
-  // being put in place, and belongs to nobody any more
-  let both = 0;
-  const tidy = () => {
-    const seen = new Map(), shown = new Set();
-    const walk = (node, visible) => {
-      const on = visible && node.visible, {take} = node.userData;
-      if (take) (seen.get(take) ?? seen.set(take, []).get(take)).push(node);
-      if (take && on) shown.add(take);
-      for (const child of node.children) walk(child, on);
-    };
-    for (const scene of scenes) walk(scene, true);
-    both = shown.size > 1 ? both + 1 : 0;
-    if (both < 25) return;
-    const newest = [...told.keys()].filter((take) => shown.has(take)).at(-1);
-    for (const take of shown) {
-      if (take !== newest) for (const node of seen.get(take)) node.removeFromParent();
-    }
-  };
-  const scenes = new Set(), told = new Map(), page = Math.random().toString(36);
-  window.__THREE_DEVTOOLS__ = new EventTarget();
-  window.__THREE_DEVTOOLS__.addEventListener("observe", ({detail}) => {
-    if (detail.isScene) scenes.add(detail);
-  });
-  setInterval(() => {
-    const found = new Map();
-    for (const scene of scenes) scene.traverse(({userData: {take}}) => {
-      if (take) found.set(take, (found.get(take) ?? 0) + 1);
-    });
-    tidy();
-    for (const take of told.keys()) if (!found.has(take)) told.delete(take);
-    for (const [take, bodies] of found) {
-      if (told.get(take) === bodies) continue;
-      told.set(take, bodies);
-      fetch("loaded", {method: "POST", headers: {"content-type": "application/json"},
-                       body: JSON.stringify({take, bodies, page})})
-        .catch(() => told.delete(take));
-    }
-  }, 40);
-}
-</script>"""
 HEADERS = {
     "Content-Security-Policy": POLICY,
     "Cache-Control": "no-store",

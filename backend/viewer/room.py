@@ -24,6 +24,8 @@ class _Take:
     parent: viser.FrameHandle
     frames: list[viser.GlbHandle]
     shown: int
+    box: np.ndarray
+    clamp: np.ndarray
 
     def remove(self) -> None:
         self.parent.remove()  # and all below it
@@ -145,9 +147,11 @@ class Room:
             others += bodies.obstacles
             for k, body in enumerate(others):
                 self._add(f"{parent.name}/other{k}", body)
-            self._stage.fit(bodies.box, bodies.clamp)
+            if visible:
+                self._stage.fit(bodies.box, bodies.clamp)
         count = len(frames) + len(others)
-        return _Take(bodies.take, count, parent, [frames[k] for k in sorted(frames)], frame)
+        in_order = [frames[k] for k in sorted(frames)]
+        return _Take(bodies.take, count, parent, in_order, frame, bodies.box, bodies.clamp)
 
     def _add(self, name: str, glb: bytes) -> viser.GlbHandle:
         scene = self.guarded.server.scene
@@ -188,6 +192,8 @@ class Room:
         with self.guarded.server.atomic():
             if self._take is not None:
                 self._take.parent.visible = True
+                # the clamp and the camera belong to the body in view, not to one on its way
+                self._stage.fit(self._take.box, self._take.clamp)
             if old is not None:
                 old.remove()
         self.guarded.forget_removed()

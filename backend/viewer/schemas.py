@@ -70,9 +70,13 @@ class Legend(Answer):
 
 
 class Content(Answer):
-    """What a view now shows."""
+    """What a view shows as soon as its page has loaded it."""
 
     rung: str = Field(description="Model whose shape it is")
+    take: str = Field(
+        description="Name of these bodies: the view's page posts `{shown: take}` to the page "
+        "around it once they are in view"
+    )
     pressures_kPa: list[float] = Field(description="Pressure of every frame [kPa]")
     volumes_ml: list[float | None] = Field(
         description="Cavity volume of every frame [ml]; null where the source does not know it"

@@ -81,6 +81,7 @@ def show(
     stamp("send")
     return Content(
         rung=rung,
+        take=shown.bodies.take,
         pressures_kPa=[float(f"{p / 1e3:.6g}") for p in shown.pressures],
         volumes_ml=[None if np.isnan(v) else float(f"{v * 1e6:.6g}") for v in shown.volumes],
         frame=frame,

@@ -1,12 +1,10 @@
-"""The skin that is drawn: a surface with its sharp edges kept sharp, and how it follows a rod."""
+"""The skin that is drawn: a surface with its sharp edges kept sharp."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
-
-from actuators.mechanics.response import Centreline
 
 SHARP_DEG = 35.0
 """Faces that meet at a larger angle than this keep an edge between them."""
@@ -87,35 +85,3 @@ def _neighbours(triangles: np.ndarray, vertices: int) -> tuple[np.ndarray, np.nd
     one, other = order[same], order[same + 1]
     pairs = np.stack([one // 3, other // 3], axis=1)
     return pairs, np.stack([low[one], high[one]], axis=1)
-
-
-def swept(points: np.ndarray, rod: Centreline, which: np.ndarray) -> np.ndarray:
-    """Points (n, 3) [m] of the undeformed body carried along by the rod's sections, at the path
-    points ``which`` (k,): (k, n, 3) [m]. Sections stay plane and keep their shape, as the rod's
-    model has it."""
-    stations = np.asarray(rod.stations, dtype=np.float64)
-    x, back = np.unique(points[:, 0], return_inverse=True)
-    right = np.clip(np.searchsorted(stations, x), 1, len(stations) - 1)
-    left = right - 1
-    # not clipped: an oblique body reaches a little beyond the last station
-    t = (x - stations[left]) / (stations[right] - stations[left])
-    positions = rod.positions[which].astype(np.float64)
-    frames = rod.frames[which].astype(np.float64)
-    weight = t[None, :, None]
-    at = (1 - weight) * positions[:, left] + weight * positions[:, right]
-    weight = np.clip(weight, 0.0, 1.0)[..., None]
-    turn = _orthonormal((1 - weight) * frames[:, left] + weight * frames[:, right])
-    section = points[:, 1:]
-    moved = at[:, back]
-    moved += turn[..., 1][:, back] * section[:, :1]
-    moved += turn[..., 2][:, back] * section[:, 1:]
-    return moved
-
-
-def _orthonormal(frames: np.ndarray) -> np.ndarray:
-    """Columns 2 and 3 made orthonormal again after interpolation; (..., 3, 3)."""
-    second = frames[..., 1] / np.linalg.norm(frames[..., 1], axis=-1, keepdims=True)
-    third = frames[..., 2]
-    third = third - (third * second).sum(axis=-1, keepdims=True) * second
-    third = third / np.linalg.norm(third, axis=-1, keepdims=True)
-    return np.stack([frames[..., 0], second, third], axis=-1)

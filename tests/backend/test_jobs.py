@@ -1,12 +1,15 @@
 """Jobs over HTTP, with a worker's side played on the real store."""
 
+from dataclasses import replace
+
 from fastapi.testclient import TestClient
 
 from actuators.design import parse_design
 from actuators.mechanics.predict import predict
+from actuators.mechanics.response import Outcome
 from actuators.mechanics.scene import Scene
 from backend.system.schemas import Health
-from storage import BodyFiles, Store
+from storage import BodyFiles, Part, Store
 from storage.question import science_version
 from storage.response_arrays import pack
 from tests.backend.conftest import SLAB, saved
@@ -83,3 +86,30 @@ def test_health_tells_whether_a_worker_is_alive(client: TestClient, store: Store
     after = Health.model_validate(client.get("/api/health").json())
     assert (after.status, after.worker.alive) == ("ok", True)
     store.worker_left("w")
+
+
+def test_the_part_found_by_a_job_that_failed_is_shown_and_answers_nothing_else(
+    client: TestClient, store: Store
+) -> None:
+    version = saved(client, "Lost", {**SLAB, "length_mm": 98})
+    job = client.post("/api/jobs", json={"version_id": version["id"]}).json()
+    claimed = store.claim(job["id"], worker="w", science_version=science_version())
+    assert claimed is not None
+    whole = predict(parse_design(claimed.design), Scene.from_document(claimed.scene))
+    found = replace(whole, outcome=Outcome.CANCELLED, path=whole.path[:4])
+    part = Part(found.to_document(), pack(found), 0.1)
+    store.fail(job["id"], claimed.attempt, "It broke.", advice="Again.", part=part)
+
+    failed = client.get(f"/api/jobs/{job['id']}").json()
+    assert (failed["state"], failed["outcome"], failed["has_answer"]) == ("failed", "failed", True)
+    assert "is kept. Again." in failed["advice"]
+    result = client.get(f"/api/jobs/{job['id']}/result").json()
+    assert result["outcome"] == "failed"
+    assert result["path"] == found.to_document()["path"]
+    compared = client.get(f"/api/compare?left={version['id']}&right={version['id']}").json()
+    assert compared["left"]["fe_result"] is None
+    question = {"design": version["design"], "scene": version["scene"]}
+    points = client.post("/api/ladder", json=question).json()["points"]
+    refused = [p["reason"] for p in points if p["rung"] == "fe" and p["state"] == "refused"]
+    assert len(refused) == 1
+    assert refused[0].startswith("It broke.")

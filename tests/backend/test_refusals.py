@@ -17,7 +17,7 @@ JSON = {"content-type": "application/json"}
 def detail(answer: Any) -> dict[str, str]:
     """The one form of every refusal."""
     found = answer.json()["detail"]
-    assert set(found) == {"message", "field", "value", "mend", "kind"}
+    assert set(found) == {"message", "field", "value", "mend", "kind", "changes"}
     assert found["message"]
     return found
 
@@ -243,3 +243,19 @@ def test_no_body_whatever_crashes_the_api(
     assert answer.status_code < 500, (door, body, answer.text)
     if answer.status_code >= 400:
         detail(answer)
+
+
+def test_a_client_may_prefer_refusals_as_answers(client: TestClient) -> None:
+    """A browser logs every status of 400 and more as an error; what is tried is none."""
+    design = {**SLAB, "length_mm": 5}
+    plain = client.post("/api/designs/check", json={"design": design})
+    assert plain.status_code == 422
+    asked = {"Prefer": "refusal=answer"}
+    answer = client.post("/api/designs/check", json={"design": design}, headers=asked)
+    assert answer.status_code == 200
+    assert answer.headers["preference-applied"] == "refusal=answer"
+    assert answer.json() == plain.json()
+    assert answer.json()["detail"]["changes"] == [{"field": "length_mm", "value": 10.0}]
+    assert client.get("/api/versions/none", headers=asked).status_code == 404
+    good = client.post("/api/designs/check", json={"design": SLAB}, headers=asked)
+    assert "preference-applied" not in good.headers

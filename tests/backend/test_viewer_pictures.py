@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from actuators.design import Design, parse_design, preset
+from actuators.design import Design, SlabDesign, parse_design, preset
 from actuators.geometry import build_body
 from actuators.geometry.surface import body_surface
 from actuators.mechanics.predict import predict
@@ -16,7 +16,8 @@ from backend.viewer import colour_maps, shading
 from backend.viewer.film import chosen_frames, instant_film, stored_film
 from backend.viewer.obstacles import cylinder_mesh, plate_mesh
 from backend.viewer.picture import picture
-from backend.viewer.skin import skin, swept
+from backend.viewer.skin import skin
+from backend.viewer.sweep import swept
 from storage.response_arrays import pack
 from tests.backend.conftest import SLAB
 
@@ -82,6 +83,29 @@ def test_the_swept_tip_is_the_answers_tip(name: str) -> None:
     for k in (0, 10, 20):
         given = film.points[k, nearest] - np.array(answer.path[k].tip)
         assert np.linalg.norm(given) == pytest.approx(np.linalg.norm(offset), abs=2e-5)
+
+
+def test_near_its_limit_a_slab_is_drawn_without_a_fold() -> None:
+    """The rod's laws shift the whole line within 3 mm of the clamp, and lift it at the tip; the
+    drawn one comes from the clamp level, and is nowhere steeper than the path of its free end."""
+    design = preset("slab-triangle-low").design
+    assert isinstance(design, SlabDesign)
+    rod = predict(design, Scene(10e3, gravity=None), rung="cell-rod").centreline
+    assert rod is not None
+    x = np.linspace(0.0, design.length, 200)
+    # a line of the underside; the height of the body is read off its points
+    points = np.zeros((400, 3))
+    points[:, 0], points[200:, 2] = np.tile(x, 2), design.height
+    line = swept(points, rod, np.array([0, 20]))[:, :200]
+    steps = np.diff(line[1], axis=0)
+    slope = np.degrees(np.arctan2(-steps[:, 2], steps[:, 0]))
+    turn = np.degrees(np.arctan2(-rod.frames[20, -1, 2, 0], rod.frames[20, -1, 0, 0]))
+    assert abs(slope[0]) < 0.2 * turn
+    assert slope.min() > -1.0
+    assert slope.max() < 1.5 * turn
+    # both ends and the straight body stay what the answer says
+    assert line[1, [0, -1]] == pytest.approx(rod.positions[20, [0, -1]], abs=1e-12)
+    assert line[0] == pytest.approx(points[:200], abs=1e-12)
 
 
 def srgb(linear: np.ndarray) -> np.ndarray:

@@ -94,6 +94,25 @@ def test_pick_a_model_by_error_and_time_and_force_an_effect(studio: Run, page: P
     expect(coarse).to_have_accessible_name(re.compile(r"measured, up to its limit at 12\.\d kPa"))
 
 
+def test_a_refused_design_is_mended_by_a_click(studio: Run, page: Page) -> None:
+    page.goto(studio.address())
+    page.get_by_test_id("open-presets").click()
+    page.get_by_test_id("preset-oblique-45").click()
+    set_number(page, "theta", "35")
+    problem = page.get_by_test_id("problem-length")
+    expect(problem).to_contain_text("need 110.4 mm")
+    # the body in view is not that of the bench
+    stage = page.get_by_test_id("viewer-stage")
+    expect(stage).to_have_attribute("data-stale", "true")
+    page.get_by_test_id("mend-length").click()
+    expect(page.get_by_test_id("field-length")).to_have_value("110.5")
+    expect(problem).to_have_count(0)
+    expect(stage).to_have_attribute("data-stale", "false", timeout=KERNELS_MS)
+    page.get_by_test_id("undo").click()
+    expect(page.get_by_test_id("field-length")).to_have_value("107")
+    expect(problem).to_be_visible()
+
+
 def test_what_a_scene_forbids_is_said_where_it_is_offered(studio: Run, page: Page) -> None:
     page.goto(studio.address())
     # by then the 3D view has been drawn, in software, and the page has its thread to itself

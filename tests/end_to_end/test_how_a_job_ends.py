@@ -3,7 +3,9 @@
 import os
 import re
 import signal
+import sqlite3
 import time
+from contextlib import closing
 from typing import Any
 
 import pytest
@@ -11,7 +13,7 @@ from playwright.sync_api import Page, expect
 
 from actuators.design import preset
 from storage import JobRow, Store, open_store
-from tests.end_to_end.conftest import picture
+from tests.end_to_end.conftest import number, picture
 from tests.running_studio import Run
 from tests.worker.processes import processes_of
 
@@ -33,6 +35,26 @@ def asked(
 def opened(page: Page, studio: Run, job: JobRow) -> Any:
     page.goto(f"{studio.address()}/v/{job.version_id}")
     return page.get_by_test_id(f"job-{job.id}")
+
+
+def wait_for_attempt(page: Page, store: Store, job: JobRow, attempt: int) -> None:
+    """Until a worker computes a job for the so-manieth time."""
+    end = time.monotonic() + 120
+    while (now := store.get_job(job.id)).attempt < attempt or now.state != "running":
+        assert time.monotonic() < end, now
+        page.wait_for_timeout(50)
+
+
+def kill_worker(studio: Run) -> None:
+    for line in processes_of(studio.data):
+        if "worker" in line and "supervisor" not in line:
+            os.kill(int(line.split()[0]), signal.SIGKILL)
+
+
+def farthest_kept(studio: Run) -> float:
+    """How far running jobs had come when a part of their path was kept last, 0 where none is."""
+    with closing(sqlite3.connect(studio.data / "pneustudio.sqlite")) as connection:
+        return connection.execute("SELECT max(fraction) FROM part").fetchone()[0] or 0.0
 
 
 @pytest.fixture
@@ -74,13 +96,8 @@ def test_a_job_whose_worker_is_lost_again_and_again_is_given_up(
     job = asked(store, "Lost", LONG, length_mm=122)
     row = opened(page, studio, job)
     for attempt in (1, 2, 3):
-        end = time.monotonic() + 60
-        while (now := store.get_job(job.id)).attempt < attempt or now.fraction == 0:
-            assert time.monotonic() < end, now
-            page.wait_for_timeout(100)
-        for line in processes_of(studio.data):
-            if "worker" in line and "supervisor" not in line:
-                os.kill(int(line.split()[0]), signal.SIGKILL)
+        wait_for_attempt(page, store, job, attempt)
+        kill_worker(studio)
     expect(row).to_have_attribute("data-state", "failed", timeout=60_000)
     expect(row).to_contain_text("Worker lost")
     end = page.get_by_test_id("path-end")
@@ -91,6 +108,33 @@ def test_a_job_whose_worker_is_lost_again_and_again_is_given_up(
     picture(page, "9-worker-lost")
     page.get_by_test_id("path-end-close").click()
     expect(end).to_have_count(0)
+
+
+def test_a_job_that_is_lost_shows_the_last_good_shape_of_the_part_found(
+    studio: Run, page: Page, store: Store
+) -> None:
+    job = asked(store, "Lost later", LONG, length_mm=124)
+    row = opened(page, studio, job)
+    end = time.monotonic() + 240
+    while farthest_kept(studio) < 0.03:  # of the bar, whose first two fifths are the coarse path
+        assert time.monotonic() < end, store.get_job(job.id)
+        page.wait_for_timeout(200)
+    kill_worker(studio)
+    for attempt in (2, 3):  # as if killed: after six kills in a row a studio gives up its worker
+        wait_for_attempt(page, store, job, attempt)
+        store.release(None, lost=True)
+    expect(row).to_have_attribute("data-state", "failed", timeout=60_000)
+    expect(row).to_contain_text(re.compile(r"up to \S+ of 20 kPa, is kept"))
+    end_of_path = page.get_by_test_id("path-end")
+    expect(end_of_path).to_contain_text("given up, its worker was lost again and again")
+    page.get_by_test_id("viewer-source").get_by_text("FE").click()
+    expect(end_of_path).to_have_attribute("data-outcome", "worker_lost")
+    expect(end_of_path).to_contain_text(re.compile(r"3D FE: found up to \S+ of 20\.0 kPa"))
+    expect(end_of_path).to_contain_text("The last point of the slider is the last good shape")
+    expect(end_of_path).to_contain_text("Ask for a coarser accuracy or mesh")
+    assert number(page, "fe-bending_angle") != 0
+    picture(page, "9-worker-lost-later")
+    assert farthest_kept(studio) == 0, "it is the job's result now"
 
 
 def test_a_refused_job_says_what_to_mend(studio: Run, page: Page, store: Store) -> None:

@@ -188,7 +188,7 @@ def test_a_lost_message_is_sent_again(
 ) -> None:
     assert store.sweep() == [job.id]
     assert store.sweep() == []
-    monkeypatch.setattr("storage.claims._RESEND_IDLE", timedelta(0))
+    monkeypatch.setattr("storage.losses._RESEND_IDLE", timedelta(0))
     assert store.sweep() == [job.id]
 
 

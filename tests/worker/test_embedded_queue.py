@@ -124,6 +124,20 @@ def test_a_job_whose_whole_worker_is_killed_finishes_anyway_once(queue: Queue) -
     assert queue.wait(waiting).state == "done"
 
 
+def test_half_a_note_of_the_queues_keeps_no_worker_from_its_jobs(
+    queue: Queue, tmp_path: Path
+) -> None:
+    """As a process leaves it that is killed while it writes: workers waited for ever."""
+    worker = queue.start_worker("w1")
+    job = queue.ask(1)
+    queue.wait_for_progress(job)
+    kill_group(worker)
+    (note,) = tmp_path.rglob("*.exchange")
+    note.write_bytes(note.read_bytes()[:-3])
+    queue.start_worker("w1")
+    assert queue.wait(job).state == "done"
+
+
 def test_a_worker_that_is_told_to_end_hands_its_job_back(queue: Queue) -> None:
     worker = queue.start_worker("w1")
     job = queue.ask(1)

@@ -19,11 +19,13 @@ from actuators.materials import Material
 from actuators.mechanics.cell import element
 from actuators.mechanics.cell.lattice import HalfCell, half_cell
 from actuators.mechanics.cell.numbering import numbering
-from actuators.mechanics.cell.periodic import EVEN, cell_elements, rod_fields
+from actuators.mechanics.cell.periodic import EVEN, box_moments, cell_elements, rod_fields
 
 _LOCAL = np.arange(element.NODES)
 _LEFT, _RIGHT = _LOCAL % 3 == 0, _LOCAL % 3 == 2
 BENDING = 2
+SHEAR_SHARE = 5 / 6
+"""Timoshenko's share of a rectangle that bears transverse shear."""
 _GRADED = [0.2, 0.6, 0.2]
 
 
@@ -60,6 +62,15 @@ def shear_compliance(body: Body, materials: tuple[Material, ...], *, graded: boo
     whole = float(np.einsum("na,nab,nb->", motion, elements, motion))  # twice the half's energy
     bending = float(compliance[BENDING, BENDING]) * body.period**3 / 12
     return (2 * whole - bending) / body.period
+
+
+def sideways_shear(body: Body, materials: tuple[Material, ...]) -> float:
+    """Stiffness against shear along X2 [N]. Sideways a chamber is a wide beam, whose shear hardly
+    shows where nothing else bears it: that of its mean section will do."""
+    modulus = np.array([m.shear_modulus for m in materials] + [0.0])
+    volume = box_moments(body)[..., 0]
+    whole = float((modulus[np.maximum(body.fill, -1)] * volume).sum())
+    return SHEAR_SHARE * whole / float(body.period or 1.0)
 
 
 def _between_pitches(cell: HalfCell, bent: np.ndarray) -> np.ndarray:

@@ -23,16 +23,15 @@ from actuators.mechanics.cell_rod.cells import (
 from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, reached
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
 from actuators.mechanics.cell_rod.held import give, hold, turned
+from actuators.mechanics.cell_rod.pressed import force_estimate
 from actuators.mechanics.cell_rod.report import (
-    BEYOND_TRUST,
     advice_of,
     bent_strains,
     cell_rod_effects,
     cell_rod_notes,
-    estimate,
-    trusted_to,
-)  # fmt: skip
+)
 from actuators.mechanics.cell_rod.root import Root, root_of
+from actuators.mechanics.cell_rod.trust import BEYOND_TRUST, estimate, trusted_to
 from actuators.mechanics.response import Outcome, PathPoint, Response
 from actuators.mechanics.rod.answer import centreline, path_points
 from actuators.mechanics.rod.follow import Laws, LoadedPath, follow_laws
@@ -50,6 +49,9 @@ VOLUME_ERROR, VOLUME_CORRECTIONS = 1e-7, 8
 """Of a prescribed volume; corrections that may be made to come so near."""
 CRUSHED = 2.0
 """Strain at the body's top by what loads bend it, beyond which a chamber is no piece of a rod."""
+FEWEST = 5
+"""Points up to the cell's limit that make a path; where its steps are longer, the limit is the end
+of as many shorter ones."""
 AT_REST = 1e-3
 """Change of the cavity by weight, as a fraction, that a prescribed volume does not take back."""
 
@@ -172,6 +174,10 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         crushed=crushed,
     )  # fmt: skip
     trusted = trusted_to(paths, solved.pressures[:found])
+    suction = found > 0 and bool(solved.pressures[found - 1] < 0.0)
+    sure = trusted is None and solved.path.loads == 1.0
+    expected = estimate(design, suction=suction) if sure else BEYOND_TRUST
+    pressed = force_estimate(question, solved)
     response = Response(
         design=design,
         scene=scene,
@@ -180,7 +186,8 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         path=_points(question, solved),
         advice=advice,
         centreline=centreline(solved.path, layout.length),
-        error_estimate=estimate(design) if trusted is None else BEYOND_TRUST,
+        error_estimate=expected,
+        error_estimates={} if pressed is None else {"tip": expected, "force": pressed},
         limit_pressure=(
             _limit(paths, solved.pressures[found : found + 1])
             if outcome is Outcome.LIMIT_POINT
@@ -227,6 +234,8 @@ def _to_the_end(question: Question, scene: Scene, steps: int) -> tuple[Solved, b
         pressures = np.linspace(0.0, scene.pressure_to, steps + 1)
         if short:
             pressures = np.append(pressures[np.abs(pressures) < abs(end)], end)
+            if len(pressures) < FEWEST:
+                pressures = np.linspace(0.0, end, steps + 1)
         return question.solve(pressures), short
     return _to_a_volume(question, float(scene.volume_to or 0.0), steps)
 

@@ -14,15 +14,11 @@ from actuators.mechanics.cell.cache import cell_response
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.inflated_cache import cell_path
 from actuators.mechanics.cell.kept import Kept, linear_key, nonlinear_key
-from actuators.mechanics.cell.periodic import box_moments
 from actuators.mechanics.cell.row import row_cells
-from actuators.mechanics.cell.shear import shear_compliance
+from actuators.mechanics.cell.shear import shear_compliance, sideways_shear
 from actuators.mechanics.cell_rod.bending import BendingChange, bending_change
 from actuators.mechanics.response import Outcome
 from actuators.mechanics.scene import Scene
-
-SHEAR_SHARE = 5 / 6
-"""Timoshenko's share of a rectangle that bears transverse shear."""
 
 AMPLY = 1.05
 """Growth of the cells over the one wanted, to spare for what weight takes of the cavity."""
@@ -107,12 +103,7 @@ def _shear(cell: Body) -> tuple[float, float]:
 
 
 def _solve_shear(cell: Body, materials: tuple[Material, ...]) -> tuple[float, float]:
-    upright = 1 / shear_compliance(cell, materials)
-    modulus = np.array([m.shear_modulus for m in materials] + [0.0])
-    volume = box_moments(cell)[..., 0]
-    # sideways a chamber is a wide beam, whose shear hardly shows: that of its mean section will do
-    sideways = SHEAR_SHARE * float((modulus[np.maximum(cell.fill, -1)] * volume).sum())
-    return sideways / float(cell.period or 1.0), upright
+    return sideways_shear(cell, materials), 1 / shear_compliance(cell, materials)
 
 
 def forget_shear_and_bending() -> None:

@@ -9,6 +9,9 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from actuators.mechanics.cell.inflated import CellPath
 
 STRAINS = 4
+EMPTIED = 0.1
+"""Share of a cavity at rest below which walls inside it have met, which a cell does not hold
+apart: its path is not followed further."""
 _FINE = 2001
 
 
@@ -29,7 +32,7 @@ class Chambers:
 
 def reached(paths: Sequence[CellPath], wanted: float) -> float:
     """The last pressure [Pa] up to ``wanted`` (suction: below 0) that every cell has."""
-    ends = [float(path.pressure[_monotone(path) - 1]) for path in paths]
+    ends = [float(path.pressure[_usable(path) - 1]) for path in paths]
     return min([wanted, *ends]) if wanted >= 0 else max([wanted, *ends])
 
 
@@ -73,19 +76,28 @@ def parting(
     return np.where(real[..., None], parted, 0.0), factor[..., None] * parted
 
 
-def _monotone(path: CellPath) -> int:
-    """Points up to the path's first turn of the pressure."""
+def is_sucked_empty(path: CellPath) -> bool:
+    """Whether suction goes on to where the cavity's walls would run through each other."""
+    return bool((path.volume < EMPTIED * path.volume[0]).any())
+
+
+def _usable(path: CellPath) -> int:
+    """Points up to the path's first turn of the pressure, or of the volume (where walls press and
+    steps have become tiny, what they find may jump to and fro), or to where it is sucked empty."""
     step = np.diff(path.pressure)
     if len(step) == 0:
         return 1
-    turned = np.flatnonzero(step * np.sign(step[0]) <= 0)
-    return int(turned[0]) + 1 if len(turned) else len(path.pressure)
+    onward = np.sign(step[0])
+    ended = (onward * step <= 0) | (onward * np.diff(path.volume) <= 0)
+    ended |= path.volume[1:] < EMPTIED * path.volume[0]
+    first = np.flatnonzero(ended)
+    return int(first[0]) + 1 if len(first) else len(path.pressure)
 
 
 def _at(path: CellPath, pressures: np.ndarray) -> dict[str, np.ndarray]:
     """Values of one cell. Its volume leads: towards a limit point it grows on while the pressure
     hardly does."""
-    points = _monotone(path)
+    points = _usable(path)
     values = {
         "strain": path.strain[:points], "stiffness": path.stiffness[:points],
         "growth": path.volume[:points] - path.volume[0], "volume_rate": path.volume_rate[:points],

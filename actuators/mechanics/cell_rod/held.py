@@ -60,7 +60,7 @@ def turned(
     area = float((chain.width * layout.length).sum())
     spread = (down @ chain.gravity) * float(chain.weight.sum()) / area - chain.outside
     loads = np.stack([spread, down @ chain.tip_force], axis=-1)
-    turn = compliance * (loads @ grip.tip) + grip.pressed_tip * pressures[:found]
+    turn = path.loads * compliance * (loads @ grip.tip) + grip.pressed_tip * pressures[:found]
     along = frames[:, -1, :, 0].copy()
     cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
     frames[:, -1, :, 0] = cosine * along + sine * down

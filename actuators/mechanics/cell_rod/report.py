@@ -7,25 +7,27 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from actuators.design import Design
 from actuators.materials import material
 from actuators.mechanics.cell.inflated import CellPath
-from actuators.mechanics.cell.row import pitch_starts, row_cells
+from actuators.mechanics.cell.row import row_cells
+from actuators.mechanics.cell_rod.chambers import is_sucked_empty
+from actuators.mechanics.cell_rod.pressed import force_estimate, is_against_the_clamp
+from actuators.mechanics.cell_rod.trust import NEAR_THE_LIMIT, trusted_to, unlike
 from actuators.mechanics.response import Effect, Outcome
 from actuators.mechanics.rod.effects import is_plain, weight_change
 from actuators.mechanics.rod.pieces import end_height
 from actuators.mechanics.rod.solve import weightless
 from actuators.mechanics.scene import Scene
+from actuators.quantities import kilopascals
 
 if TYPE_CHECKING:
     from actuators.mechanics.cell_rod.answer import Question, Solved
 
 BENDING = 2
+AT_THE_LIMIT = 0.99
+"""Share of the chambers' limit from which on the loads have no part in it."""
 SHOWN = 0.03
 """Strain by loads that a reader of the largest stretch must know of."""
-NEAR_THE_LIMIT = 0.8
-"""Share of the cell's limit pressure up to which the rod's answer is worth reading: beyond it
-chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the cell's."""
 
 
 def advice_of(
@@ -55,6 +57,8 @@ def advice_of(
         )
     if found < len(pressures):
         lost = pressures[found] / 1e3
+        if gives_way and abs(pressures[found]) >= AT_THE_LIMIT * min(map(abs, limits)):
+            return Outcome.LIMIT_POINT, _beyond_the_limit(min(limits, key=abs), scene)
         if gives_way:
             return Outcome.LIMIT_POINT, (
                 f"Under the scene's loads the body gives way at {lost:.4g} kPa, before its "
@@ -80,6 +84,11 @@ def advice_of(
             "side by side. That is no limit of the pressure. Use the rung fe beyond, or take a "
             "stiffer rubber."
         )
+    if any(map(is_sucked_empty, paths)):
+        return Outcome.STALLED, (
+            f"{found_to} only: it is sucked empty there, and the walls inside it press on each "
+            "other. Ask for less suction, or use the rung fe, which holds them apart."
+        )
     return Outcome.STALLED, f"{found_to} only. Use the rung fe beyond."
 
 
@@ -92,48 +101,23 @@ def _beyond_the_limit(limit: float, scene: Scene) -> str:
     )
     if scene.pressure_to is None:
         return (
-            f"No equilibrium {beyond} {limit / 1e3:.4g} kPa: there the chamber's pressure has its "
-            f"{extreme}. Use the rung fe to go on: beyond it chambers {change} unequally."
+            f"No equilibrium {beyond} {kilopascals(limit)} kPa: there the chamber's pressure has "
+            f"its {extreme}. Use the rung fe to go on: beyond it chambers {change} unequally."
         )
     return (
-        f"No equilibrium {beyond} {limit / 1e3:.4g} kPa ({scene.pressure_to / 1e3:.4g} kPa were "
-        f"asked for): there the chamber's pressure has its {extreme}, and beyond it the chambers "
-        f"would {change}. Stay {kept} it, thicken the roof or take a stiffer top material."
+        f"No equilibrium {beyond} {kilopascals(limit)} kPa ({kilopascals(scene.pressure_to)} kPa "
+        f"were asked for): there the chamber's pressure has its {extreme}, and beyond it the "
+        f"chambers would {change}. Stay {kept} it, thicken the roof or take a stiffer top material."
     )
 
 
 def _named_loads(scene: Scene) -> str:
     loads = ["its own weight"] if any(scene.gravity or ()) else []
     if scene.outside_pressure != 0.0:
-        loads.append(f"{scene.outside_pressure / 1e3:.4g} kPa outside")
+        loads.append(f"{kilopascals(scene.outside_pressure)} kPa outside")
     if scene.tip_force is not None:
         loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
     return " and ".join(loads) or "no load"
-
-
-def trusted_to(paths: Sequence[CellPath], pressures: np.ndarray) -> float | None:
-    """Pressure [Pa] up to which chambers answer alike; None where the path stays below."""
-    limits = [abs(p.limit_pressure) for p in paths if p.limit_pressure is not None]
-    if not limits or len(pressures) == 0 or abs(pressures[-1]) <= NEAR_THE_LIMIT * min(limits):
-        return None
-    return float(np.sign(pressures[-1])) * NEAR_THE_LIMIT * min(limits)
-
-
-def estimate(design: Design) -> float:
-    """Expected error of the tip's displacement, a fraction of its way: the largest found for the
-    family against 3D finite elements (:data:`MEASURED`), more where chambers are few and the ends
-    weigh more. No bound."""
-    return MEASURED[design.family] * max(1.0, FEW / len(pitch_starts(design)[0]))
-
-
-BEYOND_TRUST = 1.0
-"""Expected error of a path that goes on to where chambers give way: all of the tip's way."""
-MEASURED = {"slab": 0.04, "oblique": 0.03, "printed": 0.03, "bellows": 0.05}
-"""Largest deviation of the tip from 3D, over its way, on the paths of the presets whose 3D answer
-has an estimated error of its own (benchmarks.cell_rod; docs/cell_rod.md): slabs under weight alone,
-bellows in contact. Estimates of those 3D answers, 1 to 5 %, are not added."""
-FEW = 5
-"""Chambers below which the ends' share grows."""
 
 
 def cell_rod_effects(question: Question, solved: Solved) -> tuple[Effect, ...]:
@@ -170,14 +154,7 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     notes += _stretched_far(question, last)
     trusted = trusted_to(question.paths, solved.pressures[: len(solved.path.strains)])
     if trusted is not None:
-        limit = trusted / NEAR_THE_LIMIT
-        notes.append(
-            f"One chamber among equals has its {'maximum' if limit > 0.0 else 'minimum'} of "
-            f"pressure at {limit / 1e3:.4g} kPa. Beyond {trusted / 1e3:.3g} kPa chambers of a body "
-            "may answer unequally and reach theirs sooner, and loads bend them far: look with the "
-            f"rung fe. Up to there the tip is expected within "
-            f"{100 * estimate(question.design):.2g} % of its way, beyond it may be anywhere."
-        )
+        notes.append(unlike(question, trusted))
     if len(solved.path.strains):
         strain = float(bent_strains(question, solved).max())
         if strain > SHOWN:
@@ -185,6 +162,12 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
                 "The largest stretch is that of the chamber under pressure alone: what loads bend "
                 f"it by, about {100 * strain:.0f} % at its top, is not in it."
             )
+    pressed = force_estimate(question, solved)
+    if pressed is not None and is_against_the_clamp(question):
+        notes.append(
+            "An obstacle touches the body beside its clamp, where the rod feels none: in 3D the "
+            f"force on it was larger by up to {100 * pressed:.2g} %. Use the rung fe for it."
+        )
     depth = solved.path.penetration.max(initial=0.0)
     if depth > 2e-3 * question.design.length:
         notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")

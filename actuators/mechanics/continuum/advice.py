@@ -10,6 +10,7 @@ from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.unmodelled import CROSSED, EMPTIED, HALVED, MOUNTED
 from actuators.mechanics.response import Outcome, PathPoint
 from actuators.mechanics.scene import Scene
+from actuators.quantities import kilopascals
 
 WAYS_OUT = {
     TOO_DEEP: "Parts of the body far from each other meet there, edge on edge, which contact "
@@ -33,7 +34,7 @@ def advice(
         return None
     if path.loads < 1.0:
         return _overloaded(path, scene)
-    reached = f"{points[-1].pressure / 1e3:.3g} kPa"
+    reached = f"{kilopascals(points[-1].pressure, 3)} kPa"
     if path.by_volume:
         reached = f"{1e6 * (points[-1].cavity_volume or 0.0):.4g} ml ({reached})"
     if path.outcome is Outcome.LIMIT_POINT:
@@ -50,7 +51,7 @@ def advice(
 
 def _limit(reached: str, scene: Scene) -> str:
     suction = (scene.pressure_to or 0.0) < 0
-    asked = (scene.pressure_to or 0.0) / 1e3
+    asked = kilopascals(scene.pressure_to or 0.0)
     change = (
         "Stay above it, or thicken roof and walls."
         if suction
@@ -58,9 +59,9 @@ def _limit(reached: str, scene: Scene) -> str:
         "material."
     )
     return (
-        f"No equilibrium {'below' if suction else 'above'} {reached} ({asked:.4g} kPa were "
+        f"No equilibrium {'below' if suction else 'above'} {reached} ({asked} kPa were "
         f"asked for): there the pressure has its {'minimum' if suction else 'maximum'}, and "
-        f"beyond it the chambers would {'collapse' if suction else 'balloon'}. {change}"
+        f"beyond it the chambers would {'collapse, or buckle' if suction else 'balloon'}. {change}"
     )
 
 
@@ -96,7 +97,7 @@ def _overloaded(path: Path, scene: Scene) -> str:
     """Where the path ended under the loads that come before inflation."""
     loads = ["its own weight"] if scene.gravity is not None else []
     if scene.outside_pressure:
-        loads.append(f"{scene.outside_pressure / 1e3:.4g} kPa outside")
+        loads.append(f"{kilopascals(scene.outside_pressure)} kPa outside")
     if scene.tip_force is not None:
         loads.append(f"{float(np.linalg.norm(scene.tip_force)):.3g} N on the tip")
     named = " and ".join(loads) or "no load"

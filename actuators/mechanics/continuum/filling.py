@@ -38,7 +38,7 @@ def fill(
     visited: list[Equilibrium] = []
     farthest = first.volume
     for _ in range(MOST_STEPS):
-        last = walk.trail[-1]
+        last = walk.trail.last
         goal = stops[0] if stops else volume_to
         found = walk.advance(goal, given_up=lambda share: tracer.stopped())
         if found is None:
@@ -51,7 +51,7 @@ def fill(
         if walk.leapt:
             path.leaps.append((last, found))
         if path.limit is None and sign * (found.pressure - last.pressure) < 0:
-            top = last if walk.leapt else tracer.summit(walk.trail, sign)
+            top = last if walk.leapt else tracer.summit(walk.trail.nearest, sign)
             # where the path has leapt to another branch, there is no maximum between its states
             path.limit = top if sign * (top.pressure - last.pressure) >= 0 else last
             if stops is None and path.limit is not last:

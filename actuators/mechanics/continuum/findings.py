@@ -13,6 +13,7 @@ from actuators.mechanics.effects import Decision, EffectPlan
 from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, PathPoint
 from actuators.mechanics.scene import Scene
+from actuators.quantities import kilopascals, two_digits
 
 MOSTLY_SAG = 2.0
 """Whole way of the tip over what inflation makes of it, from which on this is said."""
@@ -28,21 +29,22 @@ def path_notes(path: Path, parts: float) -> list[str]:
     if wrinkled is not None:
         notes.append(wrinkle_note(wrinkled.pressure))
     notes += [
-        f"At {parts * before.volume * 1e6:.4g} ml ({before.pressure / 1e3:.3g} kPa) the branch of "
-        f"equilibrium ends, or could not be followed: from {parts * after.volume * 1e6:.4g} ml "
-        f"({after.pressure / 1e3:.3g} kPa) on the states lie on another branch, to which a real "
-        "actuator snaps. Which of several it takes was not computed."
+        f"At {parts * before.volume * 1e6:.4g} ml ({kilopascals(before.pressure, 3)} kPa) the "
+        "branch of equilibrium ends, or could not be followed: from "
+        f"{parts * after.volume * 1e6:.4g} ml "
+        f"({kilopascals(after.pressure, 3)} kPa) on the states lie on another branch, to which a "
+        "real actuator snaps. Which of several it takes was not computed."
         for before, after in path.leaps
     ]
     if not path.by_volume:
         return notes
     if path.limit is not None and not _passed_before(path, path.limit):
         notes.append(
-            f"The pressure has its maximum of {path.limit.pressure / 1e3:.3g} kPa at "
+            f"The pressure has its maximum of {kilopascals(path.limit.pressure, 3)} kPa at "
             f"{parts * path.limit.volume * 1e6:.4g} ml: a source of constant pressure makes the "
             "chambers balloon there, a syringe does not."
             if path.limit.pressure > 0
-            else f"Suction is strongest, {-path.limit.pressure / 1e3:.3g} kPa, at "
+            else f"Suction is strongest, {kilopascals(-path.limit.pressure, 3)} kPa, at "
             f"{parts * path.limit.volume * 1e6:.4g} ml: a source of constant suction makes the "
             "chambers collapse there, a syringe does not."
         )
@@ -82,7 +84,7 @@ def sag_notes(points: Sequence[PathPoint], error: float | None) -> list[str]:
     return [
         f"Most of the tip's way of {way * 1e3:.3g} mm is made by the loads before inflation, which "
         f"moves it by {inflation * 1e3:.3g} mm. The estimated error is a part of the whole way: up "
-        f"to {100 * error * way / inflation:.2g} % of what inflation does."
+        f"to {two_digits(100 * error * way / inflation)} % of what inflation does."
     ]
 
 
@@ -94,7 +96,7 @@ def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[st
         return []
     first = points[int(closed[0])]
     return [
-        f"Walls of the cavity run through each other from {first.pressure / 1e3:.3g} kPa "
+        f"Walls of the cavity run through each other from {kilopascals(first.pressure, 3)} kPa "
         f"({1e6 * (first.cavity_volume or 0.0):.3g} ml) on: there is no contact inside the "
         "cavity here, and from there on the result is not physical."
     ]
@@ -111,9 +113,9 @@ def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
         share = (VISIBLE_OVERLAP - depth[first - 1]) / (depth[first] - depth[first - 1])
         onset = points[first - 1].pressure + share * (onset - points[first - 1].pressure)
     return (
-        f"Neighbouring walls overlap from about {onset / 1e3:.3g} kPa on, by up to "
-        f"{depth[worst] * 1e3:.2g} mm (at {points[worst].pressure / 1e3:.3g} kPa): contact is "
-        "switched off in the scene, and beyond that pressure the result is not physical."
+        f"Neighbouring walls overlap from about {kilopascals(onset, 3)} kPa on, by up to "
+        f"{depth[worst] * 1e3:.2g} mm (at {kilopascals(points[worst].pressure, 3)} kPa): contact "
+        "is switched off in the scene, and beyond that pressure the result is not physical."
     )
 
 

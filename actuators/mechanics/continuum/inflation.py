@@ -18,6 +18,7 @@ from actuators.mechanics.continuum.prediction import (
 from actuators.mechanics.continuum.tracer import Path, Tracer
 from actuators.mechanics.continuum.walk import Walk
 from actuators.mechanics.response import Outcome
+from actuators.quantities import kilopascals
 
 FIRST_STEP, LARGEST_STEP = 0.05, 0.1
 """Fractions of the pressure range."""
@@ -91,24 +92,24 @@ def _by_volume(
     unstable_from: float | None = None
 
     def given_up(share: float) -> bool:
-        near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail, sign)
+        near = share < SMALL_VOLUME_STEP and is_near_summit(walk.trail.nearest, sign)
         return near or tracer.stopped()
 
     for _ in range(MOST_STEPS):
-        last = walk.trail[-1]
+        last = walk.trail.last
         result = walk.advance(given_up=given_up)
         if result is None:
-            if is_near_summit(walk.trail, sign) and not tracer.stopped():
-                _close_in(tracer, walk.trail, sign, visited)
+            if is_near_summit(walk.trail.nearest, sign) and not tracer.stopped():
+                _close_in(tracer, walk.trail.nearest, sign, visited)
                 return None
             if not tracer.stopped():
                 path.outcome, path.reason = Outcome.STALLED, walk.reason
-            _how_far(walk.trail[-1], visited)
+            _how_far(walk.trail.last, visited)
             return None
         if walk.leapt:
             path.leaps.append((last, result))
         if sign * (result.pressure - last.pressure) <= 0:
-            _end_at_limit(tracer, walk.trail, sign, visited)
+            _end_at_limit(tracer, walk.trail.nearest, sign, visited)
             return None
         if not result.negative_eigenvalues:
             unstable_from = None
@@ -151,8 +152,8 @@ def _end_unstable(
         return
     begun = at_goal.pressure if since is None else since
     path.reason = (
-        f"from about {begun / 1e3:.3g} kPa on the shape found is unstable: the body would buckle "
-        "out of it, into one that was not computed"
+        f"from about {kilopascals(begun, 3)} kPa on the shape found is unstable: the body would "
+        "buckle out of it, into one that was not computed"
     )
     while visited and visited[-1].negative_eigenvalues:
         visited.pop()

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from actuators.mechanics.continuum.memory import memory_free, memory_in_use
-from actuators.mechanics.response import Outcome
+from actuators.mechanics.response import Outcome, Response
 
 
 @dataclass(frozen=True)
@@ -30,15 +30,21 @@ class Budget:
 
 
 class Monitor:
-    """Passes progress on and collects the reasons to stop."""
+    """Passes progress on and collects the reasons to stop.
+
+    ``found`` is given every state of a path as what makes an answer of the path up to there. That
+    costs time: it may be left undone, and is done in the solver's thread, between iterations (in
+    ``found``, ``progress`` or ``cancelled``).
+    """
 
     def __init__(
         self,
         progress: Callable[[Progress], None] | None = None,
         cancelled: Callable[[], bool] | None = None,
         budget: Budget | float | None = None,
+        found: Callable[[Callable[[], Response]], None] | None = None,
     ) -> None:
-        self._progress, self._cancelled = progress, cancelled
+        self._progress, self._cancelled, self._found = progress, cancelled, found
         self._budget = budget if isinstance(budget, Budget) else Budget(budget)
         self._start, self._start_cpu = time.perf_counter(), time.process_time()
         self._fraction = 0.0
@@ -50,6 +56,11 @@ class Monitor:
         self._fraction = max(self._fraction, min(fraction, 1.0))
         if self._progress is not None:
             self._progress(Progress(self._fraction, message, pressure))
+
+    def found(self, part: Callable[[], Response]) -> None:
+        """Offer the path found so far."""
+        if self._found is not None:
+            self._found(part)
 
     def stop(self) -> Outcome | None:
         """Why to stop now, or None. Asked before every iteration, and once after a failed step:

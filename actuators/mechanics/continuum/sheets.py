@@ -12,6 +12,7 @@ import numpy as np
 
 from actuators.mechanics.continuum.kernel.membrane import SHEET_POINTS
 from actuators.meshing import Faces, HexMesh, prolong_pressure
+from actuators.quantities import kilopascals
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +66,7 @@ def sheets_of(mesh: HexMesh) -> Sheets:
 def wrinkle_note(pressure: float) -> str:
     """What a reader must know of states from ``pressure`` [Pa] on that only flat sheets hold."""
     return (
-        f"From {pressure / 1e3:.3g} kPa on the embedded layer is pressed together so hard in "
+        f"From {kilopascals(pressure, 3)} kPa on the embedded layer is pressed together so hard in "
         "places that without any stiffness against bending it would wrinkle in waves as short as "
         "the mesh allows. It is taken to stay flat, as a layer of some thickness does."
     )

@@ -15,6 +15,7 @@ from actuators.mechanics.continuum.goal import Goal
 from actuators.mechanics.continuum.guard import Guard
 from actuators.mechanics.continuum.levels import MeshChoice, layers_of, levels_of
 from actuators.mechanics.continuum.linear import missed, solve_linear, states_of
+from actuators.mechanics.continuum.part import PathPart
 from actuators.mechanics.continuum.progress import Monitor, Progress
 from actuators.mechanics.continuum.recovery import Answer, recover
 from actuators.mechanics.continuum.watched import WATCHED, WatchedRun
@@ -100,7 +101,8 @@ class _Question:
         answer = None if self._plan.on("finite_strain") else self._linear()
         if answer is None:
             monitor.report(0.0, "meshing")
-            run = WatchedRun(self._body, self._plan, self._goal, monitor)
+            part = PathPart(self._design, self._scene, self._accuracy)
+            run = WatchedRun(self._body, self._plan, self._goal, monitor, part)
             answer = run.answer(self._meshes[0], self._meshes[1:], self._accuracy)
             self._plan = run.plan
             marks.append(run.path_done)

@@ -13,6 +13,7 @@ from actuators.mechanics.continuum.level import Level, open_level
 from actuators.mechanics.continuum.levels import Layers
 from actuators.mechanics.continuum.memory import refuse_what_does_not_fit
 from actuators.mechanics.continuum.newton import Equilibrium
+from actuators.mechanics.continuum.part import PathPart
 from actuators.mechanics.continuum.path import Path, PathFollower
 from actuators.mechanics.continuum.progress import Monitor
 from actuators.mechanics.continuum.recovery import Answer
@@ -20,17 +21,20 @@ from actuators.mechanics.effects import EffectPlan
 from actuators.mechanics.response import Outcome
 from actuators.meshing import HexMesh, mesh_body
 from actuators.meshing.counting import condensed_unknowns
-from actuators.quantities import percent
+from actuators.quantities import kilopascals, percent
 
 WATCHED = ("self_contact", "plate_contact", "cylinder_contact")
 
 
 class WatchedRun:
     """A nonlinear solve of ``body`` after ``plan``, which it amends; ``plan`` says in the end what
-    the answer holds, ``path_done`` when the coarse path was found [s]."""
+    the answer holds, ``path_done`` when the coarse path was found [s]. The ``monitor`` is offered
+    every state of the coarse path, as ``part``."""
 
-    def __init__(self, body: Body, plan: EffectPlan, goal: Goal, monitor: Monitor) -> None:
-        self._body, self._goal, self._monitor = body, goal, monitor
+    def __init__(
+        self, body: Body, plan: EffectPlan, goal: Goal, monitor: Monitor, part: PathPart
+    ) -> None:
+        self._body, self._goal, self._monitor, self._part = body, goal, monitor, part
         self.plan = plan
         self.path_done = 0.0
 
@@ -59,12 +63,14 @@ class WatchedRun:
             guard.before = before
             follower = PathFollower(
                 level.system, level.solver, stop=self._stop(guard), watch=self._watch,
-                seen=guard.see,
+                seen=self._seen(level, guard),
             )  # fmt: skip
             if done is None or not before:
                 self._begin(level)
+                self._part.go_on_from([])
                 path = follower.reach(self._goal)
             else:
+                self._part.go_on_from([*done.points, *before])
                 rest = follower.resume(before, done.points[0], self._goal, limit=done.limit)
                 path = joined(done, rest)
             if guard.alarm is None or guard.at is None:
@@ -77,7 +83,7 @@ class WatchedRun:
         return [name for name in WATCHED if self.plan.watched(name)]
 
     def _switch_on(self, name: str, seen: str, pressure: float) -> None:
-        words = f"switched on during the run at {pressure / 1e3:.3g} kPa, where {seen}"
+        words = f"switched on during the run at {kilopascals(pressure, 3)} kPa, where {seen}"
         self.plan = self.plan.switched_on(name, words)
         self._monitor.report(0.0, f"{name.replace('_', ' ')} {words}", pressure)
 
@@ -102,13 +108,21 @@ class WatchedRun:
             return False
         words = (
             "switched on after a first run: the laws differed by "
-            f"{percent(change)} in the energy at {last.pressure / 1e3:.3g} kPa"
+            f"{percent(change)} in the energy at {kilopascals(last.pressure, 3)} kPa"
         )
         self.plan = self.plan.switched_on("hyperelasticity", words, change=change)
         return True
 
     def _stop(self, guard: Guard) -> Callable[[], Outcome | None]:
         return lambda: Outcome.CANCELLED if guard.alarm is not None else self._monitor.stop()
+
+    def _seen(self, level: Level, guard: Guard) -> Callable[[Equilibrium], None]:
+        def see(found: Equilibrium) -> None:
+            guard.see(found)
+            if guard.alarm is None:
+                self._monitor.found(self._part.up_to(level.system, found, self.plan))
+
+        return see
 
     def _begin(self, level: Level) -> None:
         scene = self.plan.applied
@@ -117,7 +131,7 @@ class WatchedRun:
         self._monitor.report(0.0, f"coarse mesh, {level.system.unknowns} unknowns: {first}")
 
     def _watch(self, share: float, pressure: float) -> None:
-        message = f"coarse mesh at {pressure / 1e3:.3g} kPa"
+        message = f"coarse mesh at {kilopascals(pressure, 3)} kPa"
         self._monitor.report(SHARE_OF_PATH * share, message, pressure)
 
 

@@ -99,4 +99,6 @@ def _added(
     )  # fmt: skip
     strain = np.einsum("sij,sj->si", rod.compliance, resultant) * rod.length[:, None]
     rotation = np.einsum("sab,sb->sa", turn, strain[:, 1:])
-    return (np.cross(rotation, tip - at) + strain[:, :1] * turn[..., 0]).sum(axis=0)
+    sheared = forecast.sideways * np.einsum("sa,sa->s", turn[..., 1], pull)
+    moved = np.cross(rotation, tip - at) + strain[:, :1] * turn[..., 0]
+    return (moved + sheared[:, None] * turn[..., 1]).sum(axis=0)

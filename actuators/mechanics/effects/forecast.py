@@ -11,7 +11,8 @@ from actuators.geometry.volumes import exact_volumes
 from actuators.materials import material
 from actuators.materials.neo_hooke import NeoHooke
 from actuators.materials.ogden import Ogden
-from actuators.mechanics.cell.row import ChamberRow, chamber_row
+from actuators.mechanics.cell.row import ChamberRow, chamber_row, row_cells
+from actuators.mechanics.cell.shear import sideways_shear
 from actuators.mechanics.rod import Rod, follow_pressures, rod_of
 from actuators.mechanics.rod.equilibrium import shape
 from actuators.mechanics.scene import Scene
@@ -26,10 +27,12 @@ STRAIN_SHARE = 1.3
 @dataclass(frozen=True, eq=False)
 class Loads:
     """Resultants S (s, 4) that the loads of a scene make in the undeformed rod, and what they do:
-    ``strain`` (s, 4), ``tip`` (3,) small displacement of the tip point [m]."""
+    ``strain`` (s, 4), ``tip`` (3,) small displacement of the tip point [m], ``sheared`` (3,) what
+    of it shear makes, which the strains do not hold."""
 
     strain: np.ndarray
     tip: np.ndarray
+    sheared: np.ndarray
 
 
 class Forecast:
@@ -83,7 +86,19 @@ class Forecast:
 
     def _answer(self, force: np.ndarray, at: np.ndarray) -> Loads:
         strain = np.einsum("sij,sj->si", self.rod.compliance, self._resultants(force, at))
-        return Loads(strain, self._small_tip(strain))
+        beyond = (at[:, 0] > self.middles[:, None]).astype(float)
+        sheared = np.array([0.0, self.sideways @ (beyond @ force[:, 1]), 0.0])
+        return Loads(strain, self._small_tip(strain) + sheared, sheared)
+
+    @cached_property
+    def sideways(self) -> np.ndarray:
+        """How far the pieces shear along X2 per force (s,) [m/N]. The rod's own law knows no shear,
+        and sideways that may be most: a bar on a sheet that keeps its length hardly bends there."""
+        cells, weights = row_cells(self.design)
+        materials = [tuple(material(r.material) for r in cell.regions) for cell in cells]
+        stiffness = [sideways_shear(*each) for each in zip(cells, materials, strict=True)]
+        centres = self.row.start + self.row.pitch / 2
+        return self.rod.length / np.interp(self.middles, centres, weights @ stiffness)
 
     def _small_tip(self, strain: np.ndarray) -> np.ndarray:
         """Displacement (3,) of the tip point that small rod strains (s, 4) make [m]."""
@@ -162,7 +177,10 @@ class Forecast:
             return np.inf
         other = self.force.strain + self.outside.strain
         pairs = ((self.path[-1], self.inflation + other), (self.path[0], other))
-        return max(self.share(self._tip(heavy) - self._tip(light)) for heavy, light in pairs)
+        sheared = self.weight.sheared
+        return max(
+            self.share(self._tip(heavy) - self._tip(light) + sheared) for heavy, light in pairs
+        )
 
     @cached_property
     def rotation_share(self) -> float:

@@ -6,7 +6,9 @@ from dataclasses import replace
 from actuators.design import Design
 from actuators.errors import QuestionError
 from actuators.mechanics.choices import field_of
+from actuators.mechanics.effects.afterwards import LOADS
 from actuators.mechanics.effects.contacts import self_contact
+from actuators.mechanics.effects.expected import Expectations
 from actuators.mechanics.effects.forecast import Forecast, without_layer
 from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, Response
@@ -72,11 +74,12 @@ def marked(response: Response, design: Design, scene: Scene) -> Response:
 def _left_out(design: Design, scene: Scene, rung: str) -> dict[str, tuple[Effect, str]]:
     """Effect and note by name of everything that is there and switched off."""
     found: dict[str, tuple[Effect, str]] = {}
+    expected = Expectations(design, scene)
     for name in ("gravity", "outside_pressure", "tip_force", "plate_contact", "cylinder_contact",
                  "inextensible_layer", "self_contact"):  # fmt: skip
         if scene.choice(name) != "off" or not _there(name, design, scene, rung):
             continue
-        change = _change(name, Forecast(design, scene))
+        change = _change(name, expected)
         percent = None if change is None else 100.0 * change
         effect = Effect(
             name, False, "left out by choice", estimated_change_percent=percent, forced="off"
@@ -95,13 +98,9 @@ def _there(name: str, design: Design, scene: Scene, rung: str) -> bool:
     return bool(getattr(scene, _LOADS[name]))
 
 
-def _change(name: str, forecast: Forecast) -> float | None:
-    if name == "gravity":
-        return forecast.weight_share
+def _change(name: str, expected: Expectations) -> float | None:
+    if name in LOADS:
+        return expected.of_load(name)[0]
     if name == "inextensible_layer":
-        return forecast.layer_share
-    if name == "tip_force":
-        return forecast.share(forecast.force.tip)
-    if name == "outside_pressure":
-        return forecast.share(forecast.outside.tip)
-    return self_contact(forecast).change if name == "self_contact" else None
+        return expected.of(name).layer_share
+    return self_contact(expected.of(name)).change if name == "self_contact" else None

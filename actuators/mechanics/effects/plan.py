@@ -6,7 +6,7 @@ the smallest estimates are left out where each changes the tip by less than a k-
 needs no such trust: what is expected to stay apart is watched, and switched on when it does not.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from actuators.design import Design
@@ -15,6 +15,7 @@ from actuators.geometry import build_body
 from actuators.mechanics.choices import NAMES, Choice, field_of
 from actuators.mechanics.effects.contacts import OBSTACLES, obstacle_contact, self_contact
 from actuators.mechanics.effects.decision import Decision, EffectPlan
+from actuators.mechanics.effects.expected import Expectations, without
 from actuators.mechanics.effects.forecast import Forecast
 from actuators.mechanics.effects.words import forced
 from actuators.mechanics.scene import Scene
@@ -35,22 +36,21 @@ def plan(design: Design, scene: Scene, accuracy: float = 0.05) -> EffectPlan:
 
     Raises :class:`QuestionError` where the scene forces an effect that this design cannot have.
     """
-    whole = Forecast(design, scene)
-    _refuse_impossible(design, scene, whole)
-    remaining = _without(scene, {name: choice != "off" for name, choice in scene.forced.items()})
-    forecast = Forecast(design, remaining)
-    estimated = _estimated(whole, forecast)
+    expected = Expectations(design, scene)
+    forecast = expected.of("")
+    _refuse_impossible(design, scene, forecast)
+    estimated = _estimated(scene, expected)
     threshold = shared_threshold(
         [d.change or 0.0 for d in estimated if scene.choice(d.name) == "auto"], BUDGET * accuracy
     )
     found = {d.name: _decided(d, scene.choice(d.name), threshold) for d in estimated}
     contacts = [self_contact(forecast)]
-    contacts += [obstacle_contact(whole, name) for name in OBSTACLES]
+    contacts += [obstacle_contact(expected.of(name), name) for name in OBSTACLES]
     for contact in contacts:
         found[contact.name] = _chosen(contact, scene.choice(contact.name))
     _settle_finite_strain(found, scene)
     found["volume_control"] = _volume_control(scene)
-    settled = _without(scene, {name: d.on or d.watched for name, d in found.items()})
+    settled = without(scene, {name: d.on or d.watched for name, d in found.items()})
     found["symmetry"] = _symmetry(design, settled, scene.choice("symmetry"))
     decisions = tuple(_with_cost(found[name]) for name in NAMES)
     turned = forecast.rotation_share / forecast.travel if forecast.travel > 0.0 else 0.0
@@ -66,20 +66,15 @@ def shared_threshold(changes: Sequence[float], budget: float) -> float:
     return real[count - 1] if beyond else share
 
 
-def _estimated(whole: Forecast, forecast: Forecast) -> list[Decision]:
-    """Effects that are decided by how much they change the tip; ``on`` says whether they exist.
-    ``whole``: with all loads of the scene, ``forecast``: without those that it leaves out."""
-    scene = whole.scene
-    moved = "moves the tip by {} of its way"
+def _estimated(scene: Scene, expected: Expectations) -> list[Decision]:
+    """Effects that are decided by how much they change the tip; ``on`` says whether they exist."""
+    forecast = expected.of("")
     layer = forecast.layer_share
     hyper = forecast.hyperelastic_share
     return [
-        _load("gravity", any(scene.gravity or ()), whole.weight_share,
-              f"its own weight {moved}"),
-        _load("outside_pressure", scene.outside_pressure != 0.0,
-              whole.share(whole.outside.tip), f"the pressure outside {moved}"),
-        _load("tip_force", scene.tip_force is not None,
-              whole.share(whole.force.tip), f"the force {moved}"),
+        _load("gravity", "its own weight", expected, any(scene.gravity or ())),
+        _load("outside_pressure", "the pressure outside", expected, scene.outside_pressure != 0.0),
+        _load("tip_force", "the force", expected, scene.tip_force is not None),
         Decision(
             "finite_strain", True,
             f"strain reaches {about(forecast.strain)} and one linear solution would miss "
@@ -110,10 +105,14 @@ def _with_cost(decision: Decision) -> Decision:
     return replace(decision, cost_factor=COST_FACTORS.get(decision.name))
 
 
-def _load(name: str, there: bool, change: float, words: str) -> Decision:
+def _load(name: str, what: str, expected: Expectations, there: bool) -> Decision:
     if not there:
         return Decision(name, False, "the scene has none", change=0.0)
-    return Decision(name, True, words.format(percent(change)), change=change)
+    change, narrowed = expected.of_load(name)
+    way = "the way that obstacles leave it" if narrowed else "its way"
+    return Decision(
+        name, True, f"{what} moves the tip by {percent(change)} of {way}", change=change
+    )
 
 
 def _decided(estimate: Decision, choice: Choice, threshold: float) -> Decision:
@@ -153,21 +152,6 @@ def _settle_finite_strain(found: dict[str, Decision], scene: Scene) -> None:
             found[name] = replace(found[name], on=False, reason=by_linear)
         if finite.forced == "off":
             found[name] = replace(found[name], watched=False)
-
-
-def _without(scene: Scene, kept: Mapping[str, bool]) -> Scene:
-    """The scene without the loads and obstacles that are not ``kept``, all else left to choose."""
-    keep = {**dict.fromkeys(NAMES, True), **kept}
-    return replace(
-        scene,
-        gravity=scene.gravity if keep["gravity"] else None,
-        outside_pressure=scene.outside_pressure if keep["outside_pressure"] else 0.0,
-        tip_force=scene.tip_force if keep["tip_force"] else None,
-        plate=scene.plate if keep["plate_contact"] else None,
-        cylinder=scene.cylinder if keep["cylinder_contact"] else None,
-        effects=(),
-        self_contact="auto",
-    )
 
 
 def _volume_control(scene: Scene) -> Decision:

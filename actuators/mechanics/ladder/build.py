@@ -83,13 +83,13 @@ def build_ladder(
     """Points of all rungs: measured where there is an answer, refused where the rung said so, else
     predicted. ``answers``: at most one per rung; those of rungs not on the ladder are added.
     ``spent``: seconds after which a rung was stopped without an answer: it takes longer."""
-    strain, _ = cell_strain(chamber_row(design), scene)
+    strain, suction = cell_strain(chamber_row(design), scene)
     rungs = ladder_rungs()
     everyone = [*rungs, *(a.rung for a in answers if a.rung not in rungs)]
     typical = {
         rung: found
         for rung in everyone
-        if (found := typical_at(rung.name, design, strain)) is not None
+        if (found := typical_at(rung.name, design, strain, suction=suction)) is not None
     }
     best = best_answer(answers, typical)
     there = {answer.rung: answer for answer in answers}

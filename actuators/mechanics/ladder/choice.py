@@ -4,7 +4,7 @@ enough. An answer that is there already costs nothing more."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from actuators.mechanics.ladder.points import Point
+from actuators.mechanics.ladder.points import Point, Span
 from actuators.quantities import percent
 
 MISPREDICTED = 1.5
@@ -109,8 +109,14 @@ def _told_seconds(before: Point, now: Point) -> str:
         return text
     expected = before.seconds.value
     if max(took / expected, expected / took) > MISPREDICTED:
-        text += f" where about {_short(expected)} s were expected"
+        text += f" where {_expected(before.seconds)} were expected"
     return text
+
+
+def _expected(seconds: Span) -> str:
+    """Seconds of a run to come: "about 53 s (8 to 340)"."""
+    low, high = _short(seconds.low), _short(seconds.high)
+    return f"about {_short(seconds.value)} s" + (f" ({low} to {high})" if low != high else "")
 
 
 def _verdict(limit: Limit, now: Point) -> str:
@@ -180,5 +186,5 @@ def _sentence(point: Point) -> str:
         return f"{point.rung.label}, which has been answered ({error})."
     if point.same_as is not None:
         return f"{point.rung.label}, which {point.same_as.label} has answered ({error})."
-    seconds = "" if point.seconds is None else f", about {_short(point.seconds.value)} s"
+    seconds = "" if point.seconds is None else f", {_expected(point.seconds)}"
     return f"{point.rung.label} ({error}{seconds})."

@@ -9,6 +9,7 @@ from actuators.mechanics.ladder.answer import Answer, Difference, difference
 from actuators.mechanics.ladder.cost import TimeEstimate
 from actuators.mechanics.ladder.rungs import Rung
 from actuators.mechanics.response import Outcome
+from actuators.quantities import kilopascals
 
 State = Literal["measured", "predicted", "refused"]
 ErrorKind = Literal["against best", "own estimate", "typical", "asked for"]
@@ -112,8 +113,9 @@ class Typical:
 def best_answer(answers: Sequence[Answer], typical: Mapping[Rung, Typical]) -> Answer | None:
     """The complete answer with the smallest estimate of its own; where none has one, that of the
     rung with the smallest typical error. Where answers disagree about a limit point before the end
-    of the path, the highest rung decides which of them stand: where no other ends as it does, it is
-    the best one even without an estimate (finite elements on one mesh)."""
+    of the path, the highest rung decides which of them stand: where no other ends as it does, or
+    only one that may be anywhere, it is the best one even without an estimate (finite elements on
+    one mesh)."""
     complete = [a for a in answers if a.is_complete]
     estimated = [a for a in complete if a.own_error is not None]
     known = estimated or [a for a in complete if a.rung in typical]
@@ -124,7 +126,15 @@ def best_answer(answers: Sequence[Answer], typical: Mapping[Rung, Typical]) -> A
     deciding = min(complete, key=lambda a: (-_height(a.rung), error(a)), default=None)
     if deciding is None or not known:
         return None
-    alike = [a for a in known if a.outcome == deciding.outcome]
+
+    def may_be_anywhere(answer: Answer) -> bool:
+        return answer.own_error is not None and answer.own_error >= 1.0
+
+    alike = [
+        a for a in known
+        if a.outcome == deciding.outcome
+        and (_height(a.rung) == _height(deciding.rung) or not may_be_anywhere(a))
+    ]  # fmt: skip
     return min(alike, key=error, default=deciding)
 
 
@@ -173,10 +183,10 @@ def measured_point(answer: Answer, best: Answer | None, typical: Mapping[Rung, T
 def _contradiction(answer: Answer, best: Answer) -> str | None:
     """Where two complete answers differ about a limit point before the end of the path."""
     if best.outcome is Outcome.LIMIT_POINT and answer.outcome is Outcome.CONVERGED:
-        where = f"{_limit(best) / 1e3:.4g} kPa, where {best.rung.label} finds a limit point"
+        where = f"{kilopascals(_limit(best))} kPa, where {best.rung.label} finds a limit point"
         return f"goes on beyond {where}: its end is no answer."
     if best.outcome is Outcome.CONVERGED and answer.outcome is Outcome.LIMIT_POINT:
-        where = f"{_limit(answer) / 1e3:.4g} kPa, where {best.rung.label} finds none"
+        where = f"{kilopascals(_limit(answer))} kPa, where {best.rung.label} finds none"
         return f"ends at a limit point at {where}: it is no answer beyond."
     return None
 

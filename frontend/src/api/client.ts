@@ -1,9 +1,13 @@
 import createClient from "openapi-fetch";
 
+import { isSaid } from "../ui/numbers";
 import type { paths } from "./schema";
 import type { ProblemDetail } from "./types";
 
-export const api = createClient<paths>({ baseUrl: window.location.origin });
+/** A refusal of what is tried on the way comes as an answer: browsers log each status of 400 and more as an error. */
+const AS_ANSWER = "refusal=answer";
+
+export const api = createClient<paths>({ baseUrl: window.location.origin, headers: { Prefer: AS_ANSWER } });
 
 /** An answer that says what is wrong, which value, and how to mend it. */
 export class ApiProblem extends Error {
@@ -39,7 +43,7 @@ function problemOf(status: number, body: unknown): ApiProblem {
     return new ApiProblem(status, body.detail);
   }
   const message = `The studio answered with status ${status}.`;
-  return new ApiProblem(status, { message, field: "", value: "", mend: "Try again.", kind: "" });
+  return new ApiProblem(status, { message, field: "", value: "", mend: "Try again.", kind: "", changes: [] });
 }
 
 /** The data of a reply, or the error thrown as ApiProblem or Unreachable. */
@@ -53,6 +57,7 @@ export async function take<T>(pending: Promise<Reply<T>>): Promise<T> {
   }
   // A development server or proxy in front answers 502 or 504 when the studio is down.
   if (reply.response.status === 502 || reply.response.status === 504) throw new Unreachable();
+  if (reply.response.headers.get("Preference-Applied") === AS_ANSWER) throw problemOf(422, reply.data);
   if (!reply.response.ok) throw problemOf(reply.response.status, reply.error);
   return reply.data as T;
 }
@@ -60,7 +65,7 @@ export async function take<T>(pending: Promise<Reply<T>>): Promise<T> {
 export function messageOf(error: unknown): string {
   if (error instanceof ApiProblem) {
     const { message, mend } = error.detail;
-    return mend && !message.includes(mend) ? `${message} ${mend}` : message;
+    return mend && !isSaid(mend, message) ? `${message} ${mend}` : message;
   }
   return error instanceof Error ? error.message : String(error);
 }

@@ -27,6 +27,7 @@ export type ComparedSide = Schemas["ComparedSide"];
 export type LiveEvent = Schemas["LiveEvent"];
 export type ContentRequest = Schemas["ContentRequest"];
 export type ProblemDetail = Schemas["ProblemDetail"];
+export type ProposedChange = Schemas["ProposedChange"];
 export type Ladder = Schemas["LadderAnswer"];
 export type LadderPoint = Schemas["LadderPoint"];
 export type EffectPlan = Schemas["EffectDecisions"];

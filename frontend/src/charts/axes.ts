@@ -1,12 +1,13 @@
 import type uPlot from "uplot";
 
 import { token } from "../theme/theme";
+import { grouped } from "../ui/numbers";
 
 /** Space the axes take [px]; fixed, so that equal scales can be worked out beforehand. */
 export const SPACE = { left: 40, bottom: 20, top: 6, right: 14 };
 
 function text(value: number): string {
-  return String(Number(value.toPrecision(6))).replace("-", "−");
+  return grouped(String(Number(value.toPrecision(6))).replace("-", "−"));
 }
 
 export function axesOf(xTitle: string): uPlot.Axis[] {

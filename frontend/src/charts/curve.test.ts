@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { PathPoint, Result } from "../api/types";
-import { anglePoints, pointAt, tipPoints, valueAt, splitAtTrust } from "./curve";
+import { anglePoints, isBeyondTrust, pointAt, tipPoints, valueAt, splitAtTrust } from "./curve";
 import { equalRanges, freeRanges } from "./scales";
 
 function point(pressure: number, angle: number, stretch: number | null = null): PathPoint {
@@ -85,6 +85,15 @@ describe("the end of what a model is meant for", () => {
     expect(within.map((point) => point.at)).toEqual([0, 2, 3]);
     expect(beyond.map((point) => point.at)).toEqual([3, 4]);
     expect(beyond[0]?.y).toBe(30);
+  });
+
+  it("goes down with suction", () => {
+    const sucked = points.map(({ x, y, at }) => ({ x: -x, y, at: -at }));
+    const { within, beyond } = splitAtTrust({ ...curve, points: sucked, trustedTo: -3 });
+    expect(within.map((point) => point.at)).toEqual([-0, -2, -3]);
+    expect(beyond.map((point) => point.at)).toEqual([-3, -4]);
+    const answer = { ...result([point(0, 1), point(-2, 2), point(-4, 3)]), trusted_to_kPa: -3 };
+    expect([-1, -3, -3.5].map((at) => isBeyondTrust(answer, at))).toEqual([false, false, true]);
   });
 
   it("leaves a curve whole that ends before it, or has none", () => {

@@ -33,14 +33,17 @@ export function trustedPlace(result: Result, control: Control): number | null {
 /** Whether a place on the path lies where the answer's own assumptions no longer hold. */
 export function isBeyondTrust(result: Result, at: number, control: Control = "pressure"): boolean {
   const trusted = trustedPlace(result, control);
-  return trusted !== null && at > trusted * (1 + 1e-6);
+  const places = result.path.map((point) => placeOf(point, control) ?? 0);
+  const onward = (places.at(-1) ?? 0) < (places[0] ?? 0) ? -1 : 1; // suction, and emptying, go down
+  return trusted !== null && onward * (at - trusted) > 1e-6 * Math.abs(trusted);
 }
 
 /** The points up to the trusted pressure and those beyond it; both hold the point between. */
 export function splitAtTrust(curve: Curve): { within: readonly CurvePoint[]; beyond: readonly CurvePoint[] } {
   const { points, trustedTo = null } = curve;
   if (trustedTo === null) return { within: points, beyond: [] };
-  const first = points.findIndex((point) => point.at > trustedTo);
+  const onward = (points.at(-1)?.at ?? 0) < (points[0]?.at ?? 0) ? -1 : 1; // suction, and emptying, go down
+  const first = points.findIndex((point) => onward * (point.at - trustedTo) > 0);
   if (first < 0) return { within: points, beyond: [] };
   const border = pointAt(points, trustedTo);
   const shared = border ? [border] : [];

@@ -40,14 +40,16 @@ export function RunControl() {
           <Icon name="warning" size={13} /> No worker
         </span>
       )}
-      <span className="muted">Accuracy</span>
-      <Segmented
-        label="Accuracy"
-        options={ACCURACIES.map((each) => ({ ...each, disabled: mesh !== "" }))}
-        value={wanted}
-        onChange={accuracy.set}
-        testId="accuracy"
-      />
+      {mesh === "" ? (
+        <>
+          <span className="muted">Accuracy</span>
+          <Segmented label="Accuracy" options={ACCURACIES} value={wanted} onChange={accuracy.set} testId="accuracy" />
+        </>
+      ) : (
+        <span className="muted" data-testid="no-accuracy" title="An error is estimated from two meshes or more: take the mesh auto for an accuracy">
+          One mesh: no accuracy, its error is not estimated
+        </span>
+      )}
       <Select label="Mesh" value={mesh} options={MESHES} onChange={setMesh} testId="mesh" />
       <Button
         look="primary"

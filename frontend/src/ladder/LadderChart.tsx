@@ -14,7 +14,7 @@ const SPACE = { left: 46, right: 12, top: 8, bottom: 20 };
 /** Errors and times below these are not told apart. */
 const LEAST_ERROR = 0.01;
 const LEAST_SECONDS = 1e-3;
-const LETTER = 5.6;
+const LETTER = 5.9;
 
 interface Drawn {
   point: LadderPoint;
@@ -29,7 +29,13 @@ interface Picture {
   drawn: Drawn[];
 }
 
-function pictureOf(ladder: Ladder, width: number, height: number): Picture {
+/** Of a point's dot, and of the ring around one that a limit chose [px]. */
+const DOT = 5.5;
+const RING = 9;
+/** A name further above or below its point has a line to it [px]. */
+const NEAR = 14;
+
+function pictureOf(ladder: Ladder, picks: readonly string[], width: number, height: number): Picture {
   const points = plotted(ladder);
   const seconds = points.flatMap(({ seconds: range }) => (range ? [range.value, range.high] : []));
   const errors = points.flatMap(({ error_percent: range }) => (range ? [range.value] : []));
@@ -39,7 +45,8 @@ function pictureOf(ladder: Ladder, width: number, height: number): Picture {
     const place = placeOf(point) ?? { seconds: LEAST_SECONDS, error: LEAST_ERROR };
     // A run whose error nobody can tell stands at the upper edge, its line down through all errors.
     const y = place.error === null ? SPACE.top : up.place(place.error);
-    return { x: across.place(place.seconds), y, width: LETTER * shortName(point).length };
+    const radius = picks.includes(point.label) ? RING + 1 : DOT;
+    return { x: across.place(place.seconds), y, width: LETTER * shortName(point).length, radius };
   });
   const area = { x: SPACE.left, y: 0, width: width - SPACE.left - 2, height: height - SPACE.bottom + 6 };
   const names = placeNames(at, area);
@@ -66,7 +73,7 @@ export function LadderChart({ ladder, stale, drawnRung, picks }: LadderChartProp
   const [ref, { width, height }] = useSize();
   const [open, setOpen] = useState<string | null>(null);
   const ready = width > 80 && height > 60;
-  const picture = ready ? pictureOf(ladder, width, height) : null;
+  const picture = ready ? pictureOf(ladder, picks, width, height) : null;
   const shown = picture?.drawn.find(({ point }) => point.label === open);
   return (
     <div className={`ladder-chart${stale ? " stale" : ""}`} ref={ref} data-testid="ladder-chart">
@@ -153,9 +160,10 @@ function Point({ point, x, y, name, also, isDrawn, isPicked, onOpen }: PointProp
         activate();
       }}
     >
-      {isPicked && <circle className="pick" cx={x} cy={y} r={9} />}
+      {Math.abs(name.y - y) > NEAR && <line className="leader" x1={x} y1={y} x2={name.x} y2={name.y + (name.y < y ? 5 : -5)} />}
+      {isPicked && <circle className="pick" cx={x} cy={y} r={RING} />}
       <circle className="hit" cx={x} cy={y} r={10} />
-      <circle className="dot" cx={x} cy={y} r={isDrawn ? 5.5 : 4.5} />
+      <circle className="dot" cx={x} cy={y} r={isDrawn ? DOT : 4.5} />
       <text x={name.x} y={name.y} dy="0.32em" textAnchor={name.anchor}>
         {shortName(point)}
       </text>

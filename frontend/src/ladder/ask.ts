@@ -35,6 +35,7 @@ const ladders = new Lane<Work, Ladder>(
 );
 
 const REST_MS = 350;
+const REFUSED = "Correct the marked parameter first.";
 
 /** Start following the bench; called once. */
 export function followForLadder(): void {
@@ -42,6 +43,7 @@ export function followForLadder(): void {
     afterMs: REST_MS,
     onMove: () => ladder.update((now) => ({ ...now, asking: true })),
     onRest: (work) => ladders.ask(work),
+    onRefused: () => ladder.update((now) => ({ ...now, asking: false, problem: REFUSED })),
   });
   limits.subscribe(again);
   reconnections.subscribe(again);

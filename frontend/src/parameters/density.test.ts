@@ -44,7 +44,7 @@ describe("a refusal in words", () => {
   const parameters = [{ name: "side_wall", label: "Side wall" }, { name: "length", label: "Length" }];
 
   it("calls parameters as the page does", () => {
-    const problem = { message: "side_wall is 30 mm.", field: "side_wall", value: "30 mm", mend: "Reduce side_wall or other_thing.", kind: "design" as const };
+    const problem = { message: "side_wall is 30 mm.", field: "side_wall", value: "30 mm", mend: "Reduce side_wall or other_thing.", kind: "design" as const, changes: [] };
     expect(problemInWords(problem, parameters)).toEqual({
       message: "Side wall is 30 mm.",
       mend: "Reduce side wall or other_thing.",
@@ -52,7 +52,9 @@ describe("a refusal in words", () => {
   });
 
   it("does not say the mend twice", () => {
-    const problem = { message: "length is 5 mm. Raise length.", field: "length", value: "", mend: "Raise length.", kind: "design" as const };
+    const problem = { message: "length is 5 mm. Raise length.", field: "length", value: "", mend: "Raise length.", kind: "design" as const, changes: [] };
     expect(problemInWords(problem, parameters).mend).toBe("");
+    const within = { ...problem, message: "length is missing; raise length.", mend: "Raise length." };
+    expect(problemInWords(within, parameters).mend).toBe("");
   });
 });

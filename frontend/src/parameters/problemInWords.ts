@@ -1,5 +1,5 @@
 import type { Parameter, ProblemDetail } from "../api/types";
-import { capital } from "../ui/numbers";
+import { capital, isSaid } from "../ui/numbers";
 
 /** The message with parameters called as the page calls them ("side_wall" is "Side wall"), and the
  * mend where the message does not hold it already. */
@@ -17,5 +17,5 @@ export function problemInWords(
     );
   const message = spell(problem.message);
   const mend = spell(problem.mend);
-  return { message, mend: message.includes(mend) ? "" : mend };
+  return { message, mend: isSaid(mend, message) ? "" : mend };
 }

@@ -110,7 +110,7 @@ function ResultNotes(props: { title: string; className: string; result: Result; 
                 <td>
                   {sentence(effect.reason)}
                   {effect.estimated_change_percent !== null &&
-                    ` Leaving it out changes the tip\u2019s way by ${aboutPercent(effect.estimated_change_percent)}.`}
+                    ` ${result.rung === "fe" ? "By an estimate beforehand" : "In this answer"}, leaving it out changes the tip\u2019s way by ${aboutPercent(effect.estimated_change_percent)}.`}
                 </td>
               </tr>
             ))}

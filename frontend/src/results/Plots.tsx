@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import type { Result } from "../api/types";
-import { anglePoints, overControl, tipPoints, trustedPlace, type Curve, type PointsOf } from "../charts/curve";
+import { anglePoints, overControl, pointAt, tipPoints, trustedPlace, type Curve, type CurvePoint, type PointsOf } from "../charts/curve";
 import { CurveChart } from "../charts/CurveChart";
 import type { Rule } from "../charts/draw";
 import { ChartLegend } from "../charts/Legend";
@@ -12,6 +12,7 @@ import { modelName } from "../workbench/model";
 import type { Control } from "../workbench/loads";
 import { scrubTo } from "../workbench/scrubber";
 import { BENDING_ANGLE } from "./quantities";
+import { reached } from "./reached";
 import type { ShownFe } from "./shown";
 import { feLabel, kPa } from "./words";
 
@@ -37,7 +38,8 @@ function curvesOf({ instant, replaced, fe, control, stale }: PlotsProps, points:
       id: "replaced",
       label: modelName(replaced.rung),
       color: "--series-instant",
-      points: points(replaced, control),
+      // what it draws beyond the end of a path that ended early would leave that path no room
+      points: upTo(points(replaced, control), instant, control),
       style: "dashed",
       faded: true,
     });
@@ -65,6 +67,15 @@ function curvesOf({ instant, replaced, fe, control, stale }: PlotsProps, points:
     });
   }
   return curves;
+}
+
+/** The points up to the end of an answer whose path ended before what was asked for. */
+function upTo(points: readonly CurvePoint[], answer: Result | null, control: Control): readonly CurvePoint[] {
+  if (answer === null || answer.outcome === "converged") return points;
+  const end = reached(answer, control);
+  const last = end === null ? null : pointAt(points, end);
+  if (end === null || last === null) return points;
+  return [...points.filter(({ at }) => Math.abs(at) < Math.abs(end)), last];
 }
 
 /** Forces come from finite elements only: one curve for each obstacle there is. */

@@ -6,6 +6,7 @@ import type { Result } from "../api/types";
 import { isBeyondTrust, trustedPlace } from "../charts/curve";
 import { Icon } from "../ui/Icon";
 import { Busy, Empty } from "../ui/Notice";
+import { grouped } from "../ui/numbers";
 import { Segmented } from "../ui/Segmented";
 import { answers, isStale } from "../workbench/answers";
 import type { Control } from "../workbench/loads";
@@ -112,7 +113,7 @@ function Details({ drawn, fe, control, at }: DetailsProps) {
         />
         {tab === "numbers" && at !== null && (
           <span className="at-pressure" data-testid="at-pressure">
-            at {Number(at.toPrecision(4))} {control === "pressure" ? "kPa" : "ml"}
+            at {grouped(String(Number(at.toPrecision(4))))} {control === "pressure" ? "kPa" : "ml"}
           </span>
         )}
       </div>

@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { PathPoint, Result } from "../api/types";
 import { anglePoints, trustedPlace, valueAt } from "../charts/curve";
 import { reached, within } from "./reached";
+import { earlyEnd } from "./words";
 
 function result(path: [pressure: number, volume: number][], trusted: number | null = null): Result {
   const points = path.map(
@@ -34,6 +35,12 @@ describe("the place on a path", () => {
   it("ends at the highest pressure, and under suction at the lowest", () => {
     expect(reached(through, "pressure")).toBe(12);
     expect(reached(result([[0, 10], [-5, 8]]), "pressure")).toBe(-5);
+  });
+
+  it("ends at the smallest volume where a cavity is emptied", () => {
+    const emptied = { ...result([[0.1, 6], [-3, 4], [-9, 1.2]]), outcome: "limit_point" };
+    expect(reached(emptied, "volume")).toBe(1.2);
+    expect(earlyEnd(emptied, 0.5, "volume")).toContain("found down to 1.20 of 0.50 ml");
   });
 
   it("beyond the end is the end", () => {

@@ -2,13 +2,14 @@ import type { Result } from "../api/types";
 import { placeOf } from "../charts/curve";
 import type { Control } from "../workbench/loads";
 
-/** The farthest place that a path reached: its highest pressure or volume, under suction its lowest. */
+/** The farthest place that a path reached: its highest pressure or volume; its lowest under suction, and where a cavity
+ * is emptied. */
 export function reached(result: Result, control: Control): number | null {
   const places = result.path.flatMap((point) => placeOf(point, control) ?? []);
   const [first] = places;
   const last = places.at(-1);
   if (first === undefined || last === undefined) return null;
-  return last < first && control === "pressure" && last < 0 ? Math.min(...places) : Math.max(...places, last);
+  return last < first ? Math.min(...places) : Math.max(...places);
 }
 
 /** `at`, or the end of the path where that lies before it. */

@@ -1,6 +1,7 @@
 /** Outcomes and rungs in words. */
 import type { Job, Result } from "../api/types";
-import { formatQuantity } from "../ui/numbers";
+import { placeOf } from "../charts/curve";
+import { formatQuantity, isSaid } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
 import { reached } from "./reached";
 
@@ -10,6 +11,8 @@ const OUTCOMES: Record<string, string> = {
   stalled: "Stopped early: no equilibrium was found beyond the last point.",
   cancelled: "Cancelled; the part that was found is kept.",
   budget_spent: "Stopped early: the allowed time was used up.",
+  failed: "The solver broke down; the part that was found is kept.",
+  worker_lost: "The worker was lost; the part that was found is kept.",
 };
 
 export function outcomeInWords(outcome: string): string {
@@ -63,11 +66,11 @@ export function feLabel(job: Job): string {
   return `FE ${meshOrAccuracy(job)}`;
 }
 
-/** Why a failed job has no answer. */
+/** Why a failed job has no answer, or but a part of one. */
 const FAILURES: Record<string, { state: string; title: string }> = {
   refused: { state: "Refused", title: "cannot be solved as it stands" },
   worker_lost: { state: "Worker lost", title: "given up, its worker was lost again and again" },
-  budget_spent: { state: "Time used up", title: "the allowed time was used up before any point was found" },
+  budget_spent: { state: "Time used up", title: "the allowed time was used up" },
 };
 
 /** "3D FE: cannot be solved as it stands" */
@@ -79,7 +82,7 @@ export function failureTitle(job: Pick<Job, "outcome">): string {
 export function failureInWords(job: Pick<Job, "error" | "advice">): string {
   const error = job.error ?? "The job failed without a reason.";
   const advice = job.advice ?? "";
-  return advice === "" || error.includes(advice.replace(/\.$/, "")) ? error : `${error} ${advice}`;
+  return advice === "" || isSaid(advice, error) ? error : `${error} ${advice}`;
 }
 
 const STATES: Record<Job["state"], string> = {
@@ -120,6 +123,8 @@ const ENDS: Record<string, string> = {
   stalled: "beyond it no equilibrium was found",
   cancelled: "cancelled",
   budget_spent: "time used up",
+  failed: "the solver broke down",
+  worker_lost: "its worker was lost again and again",
 };
 
 /** The linear model knows no limit: it ends where its rod falls over, or where it means nothing. */
@@ -134,5 +139,7 @@ export function earlyEnd(result: Result, asked: number | null, control: Control)
   if (end === null) return why;
   const unit = control === "pressure" ? "kPa" : "ml";
   const of = asked === null ? "" : ` of ${formatQuantity(asked)}`;
-  return `found up to ${formatQuantity(end, 3)}${of} ${unit} (${why})`;
+  const start = result.path[0] ? placeOf(result.path[0], control) : null;
+  const way = start !== null && end < start ? "down" : "up";
+  return `found ${way} to ${formatQuantity(end, 3)}${of} ${unit} (${why})`;
 }

@@ -5,6 +5,9 @@ import { Icon } from "../ui/Icon";
 import { aboutPercent, formatPercent, formatQuantity, sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
 import { Segmented } from "../ui/Segmented";
+import { useDrawn } from "../results/drawn";
+import { sameQuestion } from "../workbench/document";
+import { modelName } from "../workbench/model";
 import { choosing, type Choice } from "../workbench/loads";
 import { bench, setLoads } from "../workbench/workbench";
 import { effectName, effectPlan, isThere } from "./effectPlan";
@@ -98,6 +101,7 @@ const OPTIONS: readonly { value: Choice; label: string; title: string }[] = [
 function ChipCard({ effect, choice }: { effect: EffectDecision; choice: Choice }) {
   const forced = usePick(bench, (timeline) => timeline?.present.work.loads.forced ?? null);
   const threshold = usePick(effectPlan, (now) => now.plan?.threshold_percent ?? null);
+  const found = useFound(effect.name);
   const onlyAuto = effect.name === "volume_control";
   return (
     <div className="effect-card" data-testid={`effect-card-${effect.name}`}>
@@ -111,9 +115,15 @@ function ChipCard({ effect, choice }: { effect: EffectDecision; choice: Choice }
       <p>{sentence(effect.reason)}</p>
       <dl>
         <div>
-          <dt>Leaving it out changes the tip&rsquo;s way by</dt>
-          <dd>{changeInWords(effect)}</dd>
+          <dt>Leaving it out changes the tip&rsquo;s way, estimated beforehand, by</dt>
+          <dd title="By the linear rod, before anything is solved: what the studio decides by">{changeInWords(effect)}</dd>
         </div>
+        {found !== null && (
+          <div data-testid={`effect-found-${effect.name}`}>
+            <dt>In the answer drawn ({modelName(found.rung)}) by</dt>
+            <dd title="The same share, on the shapes of this answer with the effect and without">{aboutPercent(found.percent)}</dd>
+          </div>
+        )}
         <div>
           <dt>A 3D solve with it takes</dt>
           <dd>{costInWords(effect)}</dd>
@@ -127,9 +137,18 @@ function ChipCard({ effect, choice }: { effect: EffectDecision; choice: Choice }
   );
 }
 
+/** What the instant answer drawn says of the same effect, on its own shapes; null where it does not, or answers another question. */
+function useFound(name: string): { rung: string; percent: number } | null {
+  const drawn = useDrawn();
+  const present = usePick(bench, (timeline) => timeline?.present.work ?? null);
+  if (drawn === null || present === null || !sameQuestion(drawn.answered, present)) return null;
+  const percent = drawn.result.effects.find((each) => each.name === name && each.on)?.estimated_change_percent ?? null;
+  return percent === null ? null : { rung: drawn.result.rung, percent };
+}
+
 function changeInWords(effect: EffectDecision): string {
   const change = effect.estimated_change_percent;
-  if (change === null) return "not known beforehand";
+  if (change === null) return "not known";
   return aboutPercent(change);
 }
 

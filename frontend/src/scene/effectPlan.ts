@@ -33,6 +33,7 @@ export function followForEffects(): void {
     afterMs: REST_MS,
     onMove: () => effectPlan.update((now) => ({ ...now, asking: true })),
     onRest: (work) => plans.ask(work),
+    onRefused: () => effectPlan.update((now) => ({ ...now, asking: false, refused: true })),
   });
   accuracy.subscribe(again);
   reconnections.subscribe(again);

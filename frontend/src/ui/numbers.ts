@@ -11,16 +11,21 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
+/** Thousands apart from ten thousand on: "10 000", with a space that keeps the line together. */
+export function grouped(text: string): string {
+  return text.replace(/^[−-]?\d{5,}/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, "\u202f"));
+}
+
 /** A quantity to read: fixed decimals by size, a dash where there is none. */
 export function formatQuantity(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "—";
   // What a solver leaves of a zero is a zero to read.
   const size = Math.abs(value) < 1e-6 ? 0 : Math.abs(value);
-  if (size !== 0 && (size >= 1e5 || size < 1e-3)) return value.toExponential(digits - 1).replace("-", "−");
+  if (size !== 0 && (size >= 1e7 || size < 1e-3)) return value.toExponential(digits - 1).replace("-", "−");
   const whole = size >= 1 ? Math.floor(Math.log10(size)) + 1 : 1;
   const decimals = Math.max(0, Math.min(4, digits - whole));
   const text = value.toFixed(decimals);
-  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+  return grouped((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−"));
 }
 
 /** An error or a change: two digits, and no more than anybody can picture. As the command line has it. */
@@ -56,6 +61,11 @@ export function formatMoment(iso: string): string {
   return today
     ? moment.toLocaleTimeString(undefined, { hour: "2-digit", minute: "2-digit" })
     : moment.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+}
+
+/** Whether a message holds its advice already, be it in the middle of a sentence. */
+export function isSaid(advice: string, message: string): boolean {
+  return message.toLowerCase().includes(advice.replace(/\.$/, "").toLowerCase());
 }
 
 export function capital(text: string): string {

@@ -1,10 +1,18 @@
 import { describe, expect, it } from "vitest";
 
-import { formatNumber, formatQuantity, formatSeconds, parseNumber, sentence } from "./numbers";
+import { formatNumber, formatQuantity, formatSeconds, grouped, parseNumber, sentence } from "./numbers";
 import { parseQuantity } from "./quantity";
 import { subscript, symbolParts } from "./symbols";
 
 describe("numbers", () => {
+  it("have their thousands apart from ten thousand on, and no powers of ten below ten million", () => {
+    expect(formatQuantity(10000)).toBe("10\u202f000");
+    expect(formatQuantity(-1234567)).toBe("−1\u202f234\u202f567");
+    expect(formatQuantity(9999)).toBe("9999");
+    expect(grouped("115.34567")).toBe("115.34567");
+    expect(grouped("10000.5")).toBe("10\u202f000.5");
+  });
+
   it("are read with point or comma, and nothing else is a number", () => {
     expect(parseNumber(" 7,3 ")).toBe(7.3);
     expect(parseNumber("-.5")).toBe(-0.5);
@@ -34,7 +42,7 @@ describe("numbers", () => {
     expect(formatQuantity(12.3456)).toBe("12.3");
     expect(formatQuantity(-0.01234, 4)).toBe("−0.012");
     expect(formatQuantity(-2.9e-11, 4)).toBe("0.000");
-    expect(formatQuantity(123456)).toBe("1.23e+5");
+    expect(formatQuantity(12345678)).toBe("1.23e+7");
   });
 
   it("show what is not known as a dash, never as zero", () => {

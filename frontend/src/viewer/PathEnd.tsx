@@ -12,12 +12,14 @@ import { modelName } from "../workbench/model";
 import { useSource } from "./source";
 import { view } from "./view";
 
-/** Over the 3D view: that the newest job found nothing, or where the path shown ended early; how far
- * it was found, why, and what to do. */
+/** Over the 3D view: that the newest job failed, or where the path shown ended early, be it the part
+ * that a failed job had found; how far it was found, why, and what to do. */
 export function PathEnd() {
   const failed = useFailedJob();
+  const fe = useShownFe();
+  const inView = useSource() === "fe" && fe?.job.id === failed?.id;
   const [read, setRead] = useState<string | null>(null);
-  if (failed !== null && failed.id !== read) return <Failed job={failed} onRead={() => setRead(failed.id)} />;
+  if (failed !== null && !inView && failed.id !== read) return <Failed job={failed} onRead={() => setRead(failed.id)} />;
   return <EarlyEnd />;
 }
 

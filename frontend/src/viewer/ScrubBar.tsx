@@ -1,5 +1,6 @@
 import { useStore } from "../api/store";
 import { IconButton } from "../ui/Button";
+import { grouped } from "../ui/numbers";
 import { frameIndex, scrubber, scrubToFrame, shownPlace, togglePlay } from "../workbench/scrubber";
 
 /** Scrubber along the path: one position for the 3D view, the plots and the numbers. */
@@ -34,7 +35,7 @@ export function ScrubBar() {
         />
       </span>
       <output className="scrub-pressure" data-testid="scrub-pressure">
-        {at === null ? "—" : at.toFixed(1).replace("-", "−")}
+        {at === null ? "—" : grouped(at.toFixed(1).replace("-", "−"))}
         <span className="unit">{unit}</span>
       </output>
     </div>

@@ -14,9 +14,9 @@ import { ColourLegend } from "./ColourLegend";
 import { PathEnd } from "./PathEnd";
 import { ScrubBar } from "./ScrubBar";
 import { colourFor, setViewer, viewerSettings } from "./settings";
-import { useSource } from "./source";
+import { useInstantShape, useSource } from "./source";
 import { useViewFeed } from "./useViewFeed";
-import { openView, setCamera, view, type Camera, type Colour } from "./view";
+import { isBehind, openView, setCamera, view, type Camera, type Colour } from "./view";
 
 const COLOURS: readonly { value: Colour; label: string; title: string }[] = [
   { value: "displacement", label: "Displacement", title: "Length of the displacement" },
@@ -107,8 +107,11 @@ function Stage() {
   const drawn = useDrawn();
   const beyond = usePick(answers, (now) => now.instantProblem !== null) && drawn === null;
   const source = useSource();
+  const shape = useInstantShape();
+  // The body in view is not, or not yet, that of what is on the bench.
+  const stale = isBehind(state) || (source === "instant" && shape !== null && !shape.fits);
   return (
-    <div className="stage" data-testid="viewer-stage" data-phase={state.phase}>
+    <div className="stage" data-testid="viewer-stage" data-phase={state.phase} data-stale={stale}>
       {state.url && <Frame key={state.room} url={state.url} />}
       {state.phase === "opening" && !lost && (
         <div className="stage-cover">
@@ -142,7 +145,7 @@ function Stage() {
       )}
       {state.phase === "ready" && !lost && (
         <>
-          <ColourLegend content={state.content} busy={state.busy} />
+          <ColourLegend content={state.content} busy={isBehind(state)} />
           <PathEnd />
           <div className="cameras" role="group" aria-label="Camera">
             {CAMERAS.map((camera) => (

@@ -3,7 +3,7 @@ import { usePick, useStore } from "../api/store";
 import { useDrawn } from "../results/drawn";
 import { useShownFe, type ShownFe } from "../results/shown";
 import { answers } from "../workbench/answers";
-import type { Work } from "../workbench/document";
+import { sameQuestion, type Work } from "../workbench/document";
 import { modelChoice, movingRung, type InstantRung } from "../workbench/model";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
@@ -28,14 +28,18 @@ export function useSource(): "instant" | "fe" {
 export interface InstantShape {
   work: Work;
   rung: InstantRung;
+  /** Whether it answers what is on the bench; else a newer answer is on its way, or there is none. */
+  fits: boolean;
 }
 
 /** The instant answer to show: the one in the plots, else the last that there was, as a design that
  * is refused has no body. */
 export function useInstantShape(): InstantShape | null {
   const last = usePick(answers, (now) => now.answered);
+  const present = usePick(bench, (timeline) => timeline?.present.work ?? null);
   const moving = movingRung(useStore(modelChoice));
   const drawn = useDrawn();
-  if (drawn?.result.rung === "cell-rod") return { work: drawn.answered, rung: "cell-rod" };
-  return last && { work: last, rung: moving };
+  const fits = (work: Work) => present !== null && sameQuestion(work, present);
+  if (drawn?.result.rung === "cell-rod") return { work: drawn.answered, rung: "cell-rod", fits: fits(drawn.answered) };
+  return last && { work: last, rung: moving, fits: fits(last) };
 }

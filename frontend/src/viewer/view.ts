@@ -22,6 +22,8 @@ export interface ViewState {
   /** Counts rooms opened, so that the frame is loaded anew. */
   readonly room: number;
   readonly content: ViewContent | null;
+  /** Name of the bodies that are in view: those of `content` as soon as the room's page has loaded them. */
+  readonly shown: string | null;
   readonly problem: string | null;
   /** True while content that was asked for has not arrived. */
   readonly busy: boolean;
@@ -33,8 +35,19 @@ export const view = new Store<ViewState>({
   url: null,
   room: 0,
   content: null,
+  shown: null,
   problem: null,
   busy: false,
+});
+
+/** Whether other bodies are in view than those that were asked for last. */
+export function isBehind({ busy, content, shown }: Pick<ViewState, "busy" | "content" | "shown">): boolean {
+  return busy || (content !== null && content.take !== shown);
+}
+
+window.addEventListener("message", ({ origin, data }: MessageEvent<unknown>) => {
+  if (origin !== window.location.origin || typeof data !== "object" || data === null) return;
+  if ("shown" in data && typeof data.shown === "string") patch({ shown: data.shown });
 });
 
 /** Places of the frames by what is in control on the bench, where the content knows them so. */
@@ -151,6 +164,7 @@ async function open(): Promise<void> {
       viewId: made.view_id,
       url: made.url,
       room: state.room + 1,
+      shown: null,
       problem: null,
     }));
     if (wanted) showContent(wanted);

@@ -1,6 +1,6 @@
 /** What is asked only once the hand rests, so that it never delays the answer to a moving slider. */
 import { dragging } from "../ui/dragging";
-import { isAsking } from "./answers";
+import { answers, isAsking, isRefused } from "./answers";
 import { sameQuestion, type Work } from "./document";
 import { bench } from "./workbench";
 
@@ -12,10 +12,12 @@ interface AtRest {
   /** Called at once when the question changes: what was asked before is no longer wanted. */
   onMove?: () => void;
   onRest: (work: Work) => void;
+  /** Called instead where the question is refused already. */
+  onRefused?: () => void;
 }
 
 /** Follows the bench; the function returned asks again for what lies on it, after the same rest. */
-export function followAtRest({ afterMs, onMove, onRest }: AtRest): () => void {
+export function followAtRest({ afterMs, onMove, onRest, onRefused }: AtRest): () => void {
   let before: Work | null = null;
   let timer = 0;
 
@@ -26,7 +28,9 @@ export function followAtRest({ afterMs, onMove, onRest }: AtRest): () => void {
       timer = window.setTimeout(rest, AGAIN_MS);
       return;
     }
-    onRest(work);
+    // Of what is known to be refused nobody has more to say; its mend is a change of the question.
+    if (isRefused(answers.get())) onRefused?.();
+    else onRest(work);
   }
 
   function wait(): void {

@@ -51,6 +51,45 @@ def test_gapped_bodies_are_as_near_to_3d(name: str, most: float) -> None:
     assert deviations(name, "cell-rod")[1][:, 0].max() < most
 
 
+QUICK = ("slab-ellipse-low", "oblique-15")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow)
+     for name in PRESETS if references()[name]["error_estimate_percent"] is not None],
+)  # fmt: skip
+def test_the_error_estimate_holds_what_was_measured(name: str) -> None:
+    """Anywhere on the path, over the tip's way; rounded to a percent, as the estimates are."""
+    answer, apart = deviations(name, "cell-rod")
+    assert answer.error_estimate is not None
+    assert apart[:, 1].max() < 100 * answer.error_estimate + 0.5
+
+
+@pytest.mark.parametrize(
+    ("gap", "gravity", "in_3d"),
+    [(0.0, (0.0, 0.0, -9.81), 0.840), (0.0, None, 0.293), (0.5e-3, None, 0.0315),
+     (2e-3, (0.0, 0.0, -9.81), 0.304)],
+)  # fmt: skip
+def test_the_force_on_a_plate_carries_an_error_that_holds_3d(
+    gap: float, gravity: tuple[float, float, float] | None, in_3d: float
+) -> None:
+    """Of slab-rectangle-low at 4 kPa, in N; 3D: coarsest mesh. Touching at rest beside the clamp it
+    is half of that at worst, and says so."""
+    found = ask(Scene(4e3, steps=4, gravity=gravity, plate=Plate(gap)))
+    force, error = found.path[-1].plate_force, found.error_estimates["force"]
+    assert force is not None
+    assert abs(in_3d - force) < error * force
+    assert found.error_estimates["tip"] == found.error_estimate
+    touching = any("beside its clamp" in note for note in found.notes)
+    assert touching == (gap == 0.0) == (error > 0.5)
+
+
+def test_what_presses_nothing_has_no_error_of_a_force() -> None:
+    assert ask(Scene(1e3, steps=1)).error_estimates == {}
+    assert ask(Scene(1e3, steps=1, gravity=None, plate=Plate(50e-3))).error_estimates == {}
+
+
 def test_every_quantity_of_the_path_is_there() -> None:
     answer = ask(Scene(4e3, steps=4))
     assert answer.rung == "cell-rod"
@@ -79,6 +118,16 @@ def test_the_path_ends_at_the_limit_pressure_of_the_cell() -> None:
     assert answer.advice is not None
     assert "maximum" in answer.advice
     assert any("among equals" in note for note in answer.notes)
+
+
+def test_a_path_far_short_of_what_is_asked_for_is_found_in_its_own_steps() -> None:
+    """Steps of 500 kPa would leave rest and limit: two points, or one under weight."""
+    design = preset("slab-rectangle-low").design
+    far = predict(design, Scene(pressure_to=10e6), rung="cell-rod")
+    assert far.outcome is Outcome.LIMIT_POINT
+    assert len(far.path) > 15
+    assert far.path[-1].pressure == pytest.approx(13.1e3, rel=0.06)
+    assert "10 000 kPa" in (far.advice or "") or "gives way" in (far.advice or "")
 
 
 def test_a_limit_just_beyond_the_pressure_asked_for_is_looked_for() -> None:
@@ -176,3 +225,34 @@ def test_the_web_process_does_not_load_the_3d_solver_with_the_instant_rungs() ->
         "assert not any(n.startswith('actuators.mechanics.continuum') for n in sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_suction_is_trusted_only_while_chambers_keep_their_shape() -> None:
+    """In 3D slab-rectangle-low collapses at -4.5 (coarse) to -6.2 kPa; its chamber among equals
+    goes on to -13, and a quarter of its cavity is gone at -3.7."""
+    design = preset("slab-rectangle-low").design
+    far = predict(design, Scene(-8e3, steps=4), rung="cell-rod")
+    assert far.trusted_to == pytest.approx(-3.7e3, rel=0.05)
+    assert far.error_estimate == 1.0
+    assert any("collapse" in note for note in far.notes)
+    near = predict(design, Scene(-2e3, steps=4), rung="cell-rod")
+    assert near.trusted_to is None
+    assert near.error_estimate == pytest.approx(0.1)
+
+
+def test_a_chamber_sucked_empty_ends_the_path() -> None:
+    """Walls inside the cell run through each other: its cavity went on to less than nothing."""
+    answer = predict(preset("oblique-45").design, Scene(-12e3, steps=6), rung="cell-rod")
+    assert answer.outcome is Outcome.STALLED
+    assert "sucked empty" in (answer.advice or "")
+    assert -7e3 < answer.path[-1].pressure < -3e3
+    assert min(point.cavity_volume or 0.0 for point in answer.path) > 0.0
+
+
+def test_where_loads_cannot_be_borne_the_end_turns_by_no_more_than_is_borne() -> None:
+    scene = Scene(4e3, steps=2, tip_force=(0.0, 0.0, 500.0))
+    answer = predict(preset("slab-rectangle-low").design, scene, rung="cell-rod")
+    assert answer.outcome is Outcome.STALLED
+    assert answer.error_estimate == 1.0
+    (point,) = answer.path
+    assert abs(point.tip_rotation or 0.0) < 0.2

@@ -103,3 +103,9 @@ def test_an_export_takes_effects(tmp_path: Path) -> None:
     refused = run(*asked, "--effect", "gravty=off")
     assert refused.exit_code == 2
     assert "gravity" in refused.stderr
+
+
+def test_what_a_message_says_in_the_middle_of_a_sentence_is_not_said_again() -> None:
+    said = run("predict", "slab-rectangle-low").stderr
+    assert "pressure is missing; give --pressure 30kPa or --scene FILE." in said
+    assert said.casefold().count("give --pressure") == 1

@@ -11,6 +11,7 @@ from actuators.quantities import (
     UNITS,
     Dimension,
     about,
+    kilopascals,
     parse_number,
     parse_quantity,
     percent,
@@ -88,3 +89,11 @@ def test_counts_take_no_unit() -> None:
 def test_errors_have_two_digits_and_end_at_what_can_be_pictured(share: float, text: str) -> None:
     assert percent(share) == text
     assert about(share) == (f"about {text}" if text[0].isdigit() else text)
+
+
+@pytest.mark.parametrize(
+    ("pressure", "text"),
+    [(13_714.6, "13.71"), (0.0, "0"), (-98e3, "-98"), (2.5e6, "2500"), (10e6, "10 000")],
+)
+def test_pressures_are_read_without_powers_of_ten(pressure: float, text: str) -> None:
+    assert kilopascals(pressure) == text

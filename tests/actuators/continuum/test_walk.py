@@ -129,7 +129,7 @@ def test_a_walk_does_not_go_back_the_way_it_came() -> None:
     assert ahead is not None
     assert states[-1] is not None
     assert ahead.volume > states[-1].volume
-    walk.trail = [ahead, states[-1]]
+    walk.trail.states = [ahead, states[-1]]
     assert walk.advance() is None
     assert "already found" in walk.reason
 

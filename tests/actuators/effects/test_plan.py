@@ -12,7 +12,12 @@ from actuators.mechanics.choices import NAMES
 from actuators.mechanics.effects import plan
 from actuators.mechanics.effects.forecast import Forecast
 from actuators.mechanics.effects.plan import shared_threshold
-from actuators.mechanics.effects.reach import self_clearance
+from actuators.mechanics.effects.reach import (
+    narrowing,
+    obstacle_distances,
+    self_clearance,
+    way_up_to,
+)
 from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.mechanics.predict import predict
 from actuators.mechanics.scene import Scene
@@ -37,7 +42,8 @@ def test_a_small_tip_force_bends_the_forecast_like_a_cantilever(axis: int) -> No
     about = {1: 3, 2: 2}[axis]
     lever = BAR.length - found.middles
     moved = float((rod.compliance[:, about, about] * lever**2) @ rod.length) * 1e-3
-    assert found.force.tip[axis] == pytest.approx(moved, rel=1e-9)
+    bent = found.force.tip - found.force.sheared
+    assert bent[axis] == pytest.approx(moved, rel=1e-9)
     stiffest, softest = (f(rod.compliance[:, about, about]) for f in (np.min, np.max))
     cantilever = BAR.length**3 / 3 * 1e-3
     assert stiffest * cantilever < 1.01 * moved < 1.02 * softest * cantilever
@@ -48,6 +54,70 @@ def test_small_weight_droops_the_forecast_as_it_droops_the_energy_rung() -> None
     scene = Scene(0.0, gravity=light)
     droop = predict(BAR, scene).path[0].tip_displacement
     assert Forecast(BAR, scene).weight.tip == pytest.approx(droop, rel=1e-3, abs=1e-9)
+
+
+def test_what_is_switched_off_is_no_reason_to_reach_a_plate() -> None:
+    """Weight alone carries the slab to the plate: without it, by choice, nothing does."""
+    hanging = Scene(10.0, plate=Plate(0.1e-3))
+    floating = Scene(10.0, plate=Plate(0.1e-3), gravity=None)
+    chosen = hanging.choosing(gravity="off")
+    with_weight, without, off = (
+        plan(SLAB, scene).by_name["plate_contact"] for scene in (hanging, floating, chosen)
+    )
+    assert with_weight.on
+    assert not without.on
+    assert off == without
+    pressed = {
+        choice: plan(SLAB, hanging.choosing(gravity="off", plate_contact=choice))
+        for choice in ("on", "off")
+    }
+    for choice, decided in pressed.items():
+        found = decided.by_name["plate_contact"]
+        assert found.on == (choice == "on")
+        assert found.change == without.change
+        assert without.reason.split(";")[0] in found.reason
+    # what gravity would change is told beside the plate that it would press on
+    assert plan(SLAB, chosen).by_name["gravity"].change == with_gravity_share(hanging)
+
+
+def with_gravity_share(scene: Scene) -> float | None:
+    return plan(SLAB, scene).by_name["gravity"].change
+
+
+def test_a_load_is_told_beside_those_that_are_left_in() -> None:
+    both = Scene(2e3, tip_force=(0.0, 0.0, 0.02))
+    alone = plan(BAR, Scene(2e3)).by_name["gravity"]
+    beside = plan(BAR, both).by_name["gravity"]
+    off = plan(BAR, both.choosing(tip_force="off")).by_name["gravity"]
+    assert off == alone
+    assert off.change != beside.change
+
+
+def test_a_plate_that_is_left_out_takes_nothing_of_the_way() -> None:
+    far, near = Scene(20e3, plate=Plate(20e-3)), Scene(20e3, plate=Plate(0.1e-3))
+    share = {
+        name: plan(BAR, scene).by_name["gravity"].change or 0.0
+        for name, scene in {
+            "far": far, "near": near, "off": near.choosing(plate_contact="off"),
+            "linear": near.choosing(finite_strain="off"),
+        }.items()
+    }  # fmt: skip
+    assert share["near"] > 5 * share["far"]
+    assert share["off"] == share["far"] == share["linear"]
+
+
+@pytest.mark.parametrize("gap", [0.05e-3, 0.5e-3])
+def test_the_way_that_a_plate_leaves_is_about_its_gap(gap: float) -> None:
+    """A bar freely bends down by 0.85 mm there: a plate holds the tip when it has come to it, and
+    so it is where the free rod enters it. The rest is the tip's way along the plate."""
+    forecast = Forecast(BAR, Scene(20e3, plate=Plate(gap)))
+    assert forecast.travel > 0.8e-3
+    assert forecast.travel / narrowing(forecast) == pytest.approx(gap, rel=0.15)
+    plate = forecast.scene.plate
+    assert plate is not None
+    distances = obstacle_distances(forecast, plate)
+    assert distances is not None
+    assert way_up_to(forecast, distances) == pytest.approx(gap, rel=0.15)
 
 
 def test_effects_left_out_together_stay_within_the_budget() -> None:

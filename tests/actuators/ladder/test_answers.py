@@ -106,3 +106,8 @@ def test_finite_elements_on_one_mesh_decide_about_a_limit_point_without_an_estim
     assert best_answer([cell_rod, alike], USUAL) is cell_rod
     limited = made_up(FE5, to=4.1, outcome="limit_point", limit=4.1, estimates={"tip": 3.0})
     assert best_answer([cell_rod, coarse, limited], USUAL) is limited
+    # one of another limit that may be anywhere, by its own words, is no better for its estimate
+    lost = made_up(
+        Rung("cell-rod"), to=4.6, outcome="limit_point", limit=4.6, estimates={"tip": 100.0}
+    )
+    assert best_answer([made_up(ENERGY), lost, coarse], USUAL) is coarse

@@ -76,7 +76,10 @@ def test_a_rung_that_ran_is_reported_with_the_seconds_that_were_expected() -> No
     now = [LADDER[0], LADDER[1], ran, predicted(FE[2], 0.02, 6)]
     choice = as_it_went(Limit(seconds=10), LADDER[2], now, 30)
     assert _name(choice.point) == "fe 5 %"
-    assert "took 2 s where about 5 s were expected" in choice.why
+    assert "took 2 s where about 5 s (2.5 to 10) were expected" in choice.why
+    wide = replace(LADDER[2], seconds=Span(53, 8, 340))
+    after = as_it_went(Limit(seconds=10), wide, now, 30)
+    assert "took 2 s where about 53 s (8 to 340) were expected" in after.why
     assert "by now it would be fe 2 %" in choice.why
     slow = replace(ran, seconds=Span(16, 16, 16))
     late = as_it_went(Limit(seconds=10), LADDER[2], [LADDER[0], slow], 30)

@@ -132,3 +132,15 @@ def test_typical_errors_of_the_energy_rung_grow_along_its_path() -> None:
     assert len(most) > 3
     assert most[-1] > most[0]
     assert typical_at("fe", SLAB, 0.1) is None
+
+
+def test_typical_errors_grow_where_chambers_are_few_and_are_not_told_of_suction() -> None:
+    one = SLAB.changed(chamber_count=1, length=30.0)
+    typical = typical_at("cell-rod", SLAB, 0.05)
+    wider = typical_at("cell-rod", one, 0.05)
+    assert typical is not None
+    assert wider is not None
+    assert wider.half == pytest.approx(5 * typical.half)
+    assert typical_at("cell-rod", SLAB, 0.05, suction=True) is None
+    sucked = typical_error(SLAB, predict(SLAB, Scene(-2e3, steps=2), rung="cell-rod"))
+    assert [each is None for each in sucked] == [False, True, True]

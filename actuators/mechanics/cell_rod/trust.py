@@ -1,0 +1,96 @@
+"""As far as an answer of cell and rod is worth reading, and how far off it is expected to be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from actuators.design import Design, ObliqueDesign
+from actuators.mechanics.cell.inflated import CellPath
+from actuators.mechanics.cell.row import pitch_starts
+from actuators.quantities import kilopascals
+
+if TYPE_CHECKING:
+    from actuators.mechanics.cell_rod.answer import Question
+
+NEAR_THE_LIMIT = 0.8
+"""Share of the cell's limit pressure up to which the rod's answer is worth reading: beyond it
+chambers grow apart. In 3D the limit of slab-rectangle-low is 0.85 to 0.9 of the cell's."""
+
+TRUSTED_CAVITY = 0.75
+"""Share of a cavity that suction must leave for the answer to be worth reading. Below it bodies
+collapse in 3D, one chamber before the rest or wall against wall: slab-rectangle-low at -4.5 to
+-6.2 kPa (0.7 to 0.6 of its cell's cavity); walls inside oblique-90 press from -5.7 kPa on (0.5)."""
+SUCTION = 2.5
+"""The estimate under suction over that under pressure: at -3, -6, -20 and -40 kPa a slab, oblique,
+printed and bellows preset was 5, 3.5, 8 and 8 % of its longest way off."""
+BEYOND_TRUST = 1.0
+"""Expected error of a path that goes on to where chambers give way: all of the tip's way."""
+MEASURED = {"slab": 0.04, "oblique": 0.03, "printed": 0.03, "bellows": 0.075}
+"""Largest deviation of the tip from 3D, over its way, on the paths of the presets whose 3D answer
+has an estimated error of its own (benchmarks.cell_rod; docs/cell_rod.md), over what
+:func:`estimate` multiplies it with: slabs and obliques under weight alone, bellows in contact.
+Estimates of those 3D answers, 1 to 7 %, are not added."""
+FEW = 5
+"""Chambers below which the ends' share grows."""
+
+
+def trusted_to(paths: Sequence[CellPath], pressures: np.ndarray) -> float | None:
+    """Pressure [Pa] up to which chambers answer alike; None where the path stays below."""
+    ends = [NEAR_THE_LIMIT * abs(p.limit_pressure) for p in paths if p.limit_pressure is not None]
+    last = 0.0 if len(pressures) == 0 else float(pressures[-1])
+    if last < 0.0:
+        ends += [abs(found) for path in paths if (found := _closing(path)) is not None]
+    if not ends or abs(last) <= min(ends):
+        return None
+    return math.copysign(min(ends), last)
+
+
+def _closing(path: CellPath) -> float | None:
+    """Suction [Pa] that leaves :data:`TRUSTED_CAVITY`; None where the path ends before."""
+    left = path.volume / path.volume[0]
+    below = np.flatnonzero(left < TRUSTED_CAVITY)
+    if len(below) == 0:
+        return None
+    at = slice(int(below[0]) - 1, int(below[0]) + 1)
+    return float(np.interp(-TRUSTED_CAVITY, -left[at], path.pressure[at]))
+
+
+def estimate(design: Design, *, suction: bool) -> float:
+    """Expected error of the tip's displacement, a fraction of its way: the largest found for the
+    family against 3D finite elements (:data:`MEASURED`), more under suction and where the ends
+    weigh more: where chambers are few, or so skew that each reaches over several. No bound."""
+    starts, pitch = pitch_starts(design)
+    skew = design.width / math.tan(design.theta) if isinstance(design, ObliqueDesign) else 0.0
+    side_by_side = design.length / (pitch + skew) if skew > 0.0 else FEW
+    ends = max(1.0, FEW / len(starts)) * max(1.0, FEW / side_by_side)
+    more = SUCTION if suction else 1.0
+    return min(MEASURED[design.family] * ends * more, BEYOND_TRUST)
+
+
+def unlike(question: Question, trusted: float) -> str:
+    """That chambers answer unequally beyond a pressure [Pa], and what the answer is worth."""
+    limits = [p.limit_pressure for p in question.paths if p.limit_pressure is not None]
+    known = ""
+    if limits:
+        limit = min(limits, key=abs)
+        known = (
+            f"One chamber among equals has its {'maximum' if limit > 0.0 else 'minimum'} of "
+            f"pressure at {kilopascals(limit)} kPa. "
+        )
+    what = (
+        f"Beyond {kilopascals(trusted, 3)} kPa chambers of a body may answer unequally and reach "
+        "theirs sooner, and loads bend them far"
+        if trusted > 0.0
+        else f"Beyond {kilopascals(trusted, 3)} kPa a quarter of the chambers' volume is gone. In "
+        "a body they collapse one before the other, or wall against wall, at a half or a third "
+        "of the suction at which one among equals would"
+    )
+    expected = 100 * estimate(question.design, suction=trusted < 0.0)
+    return (
+        f"{known}{what}: look with the rung fe. Up to there the tip is expected within "
+        f"{expected:.2g} % of its way, beyond it may be anywhere."
+    )
