@@ -9,10 +9,10 @@ from contextlib import closing
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, WebSocketRoute, expect
 
 from actuators.design import preset
-from storage import JobRow, Store, open_store
+from storage import ClaimedJob, JobRow, Store, open_store
 from tests.end_to_end.conftest import number, picture
 from tests.running_studio import Run
 from tests.worker.processes import processes_of
@@ -137,17 +137,45 @@ def test_a_job_that_is_lost_shows_the_last_good_shape_of_the_part_found(
     assert farthest_kept(studio) == 0, "it is the job's result now"
 
 
-def test_a_refused_job_says_what_to_mend(studio: Run, page: Page, store: Store) -> None:
-    job = asked(store, "Refused", LONG, length_mm=123)
-    claimed = store.claim(job.id, worker="nobody", science_version=job.science_version)
-    row = opened(page, studio, job)
-    assert claimed is None or store.fail(
-        job.id, claimed.attempt, "The roof is too thin. Thicken it.", why="refused",
+def held_by_nobody(store: Store, name: str) -> tuple[JobRow, ClaimedJob]:
+    """A job that no worker of the studio can take, for it has been taken."""
+    for length_mm in range(130, 160):
+        job = asked(store, name, LONG, length_mm=length_mm)
+        claimed = store.claim(job.id, worker="nobody", science_version=job.science_version)
+        if claimed is not None:
+            return job, claimed
+    raise AssertionError("the studio's worker was faster thirty times")
+
+
+def refuse(store: Store, claimed: ClaimedJob) -> None:
+    assert store.fail(
+        claimed.id, claimed.attempt, "The roof is too thin. Thicken it.", why="refused",
         advice="Thicken it.",
     )  # fmt: skip
+
+
+def test_a_refused_job_says_what_to_mend(studio: Run, page: Page, store: Store) -> None:
+    job, claimed = held_by_nobody(store, "Not solvable")
+    row = opened(page, studio, job)
+    refuse(store, claimed)
     expect(row).to_contain_text("Refused")
     end = page.get_by_test_id("path-end")
     expect(end).to_have_attribute("data-outcome", "refused")
     expect(end).to_contain_text("cannot be solved as it stands")
     expect(end).to_contain_text("Thicken it.")
     picture(page, "9-refused")
+
+
+def test_an_end_between_the_first_list_and_the_live_channel_is_not_missed(
+    studio: Run, page: Page, store: Store
+) -> None:
+    job, claimed = held_by_nobody(store, "In between")
+
+    def late(channel: WebSocketRoute) -> None:
+        time.sleep(2)  # the page has its list of jobs by now, and the channel does not stand yet
+        refuse(store, claimed)
+        channel.connect_to_server()
+
+    page.route_web_socket(re.compile("/api/live"), late)
+    row = opened(page, studio, job)
+    expect(row).to_have_attribute("data-state", "failed")

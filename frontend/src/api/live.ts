@@ -32,6 +32,8 @@ function onJob(job: Job): void {
   queryClient.setQueryData<Job[]>(keys.jobs, (jobs) => withJob(jobs, job));
   if (FINAL.has(job.state)) {
     if (before && !FINAL.has(before.state)) for (const listener of onJobEnd) listener(job);
+    // A list on its way may be older than this end and must not take its place.
+    if (queryClient.isFetching({ queryKey: keys.jobs }) > 0) void queryClient.invalidateQueries({ queryKey: keys.jobs });
     void queryClient.invalidateQueries({ queryKey: keys.version(job.version_id) });
     void queryClient.invalidateQueries({ queryKey: keys.designs });
     void queryClient.invalidateQueries({ queryKey: ["compare"] });
@@ -71,8 +73,8 @@ export function connectLive(): void {
     const returning = lastSeq !== null || attempts > 0;
     attempts = 0;
     connection.set("live");
+    refetchAll(); // What was fetched before this channel stood may have changed in between.
     if (!returning) return;
-    refetchAll();
     reconnections.update((count) => count + 1);
   };
   socket.onmessage = (message: MessageEvent<string>) => {
