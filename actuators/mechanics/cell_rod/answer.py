@@ -173,7 +173,7 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         question.paths, scene, solved.pressures, found, loads=solved.path.loads, short=short,
         crushed=crushed,
     )  # fmt: skip
-    trusted = trusted_to(paths, solved.pressures[:found])
+    trusted = trusted_to(design, paths, solved.pressures[:found])
     suction = found > 0 and bool(solved.pressures[found - 1] < 0.0)
     sure = trusted is None and solved.path.loads == 1.0
     expected = estimate(design, suction=suction) if sure else BEYOND_TRUST

@@ -152,7 +152,8 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     notes = list(dict.fromkeys(note for path in question.paths for note in path.notes))
     last = float(solved.pressures[len(solved.path.strains) - 1])
     notes += _stretched_far(question, last)
-    trusted = trusted_to(question.paths, solved.pressures[: len(solved.path.strains)])
+    reached = solved.pressures[: len(solved.path.strains)]
+    trusted = trusted_to(question.design, question.paths, reached)
     if trusted is not None:
         notes.append(unlike(question, trusted))
     if len(solved.path.strains):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from actuators.design import PRESETS, preset
+from actuators.mechanics.cell_rod.cells import row_paths
 from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.mechanics.predict import predict
 from actuators.mechanics.response import Outcome, Response
@@ -238,6 +239,23 @@ def test_suction_is_trusted_only_while_chambers_keep_their_shape() -> None:
     near = predict(design, Scene(-2e3, steps=4), rung="cell-rod")
     assert near.trusted_to is None
     assert near.error_estimate == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(
+    ("name", "share", "gone"),
+    [("slab-rectangle-low", 3 / 4, "a quarter"), ("oblique-90", 2 / 3, "a third")],
+)
+def test_suction_is_trusted_as_far_as_the_family_keeps_to_its_estimate(
+    name: str, share: float, gone: str
+) -> None:
+    """docs/cell_rod.md: beyond, errors of slabs double; those of obliques grow slowly."""
+    design = preset(name).design
+    (path,), _ = row_paths(design, Scene(-5e3))
+    answer = predict(design, Scene(-5e3, steps=4), rung="cell-rod")
+    assert answer.trusted_to is not None
+    left = np.interp(-answer.trusted_to, -path.pressure, path.volume / path.volume[0])
+    assert left == pytest.approx(share, abs=1e-3)
+    assert any(f"more than {gone} of the chambers' volume is gone" in n for n in answer.notes)
 
 
 def test_a_chamber_sucked_empty_ends_the_path() -> None:
