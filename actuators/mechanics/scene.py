@@ -132,7 +132,13 @@ class Scene:
                 "pressure", self.pressure_to / 1e3, -VACUUM / 1e3, STRONGEST / 1e3, "kPa"
             )
         if self.volume_to is not None and not 0 < self.volume_to <= LARGEST_VOLUME:
-            raise _out_of_range("volume", self.volume_to * 1e6, 0, LARGEST_VOLUME * 1e6, "ml")
+            size = f"{self.volume_to * 1e6:g} ml"
+            mend = f"Give a volume above 0 and up to {LARGEST_VOLUME * 1e6:g} ml."
+            raise SceneError(
+                f"volume is {size}; it must lie above 0 and be at most {LARGEST_VOLUME * 1e6:g} "
+                "ml, for it is the whole cavity's.",
+                field="volume", value=size, mend=mend,
+            )  # fmt: skip
         if self.steps is not None and not 1 <= self.steps <= 1000:
             raise SceneError(
                 f"steps is {self.steps}; it must lie between 1 and 1000.",

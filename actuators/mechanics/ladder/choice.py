@@ -81,7 +81,8 @@ def as_it_went(
     now = next(p for p in points if p.rung == chosen.rung)
     if chosen.is_answer or chosen.same_as is not None or now.same_as is not None:
         told = f"{limit.label}: {_sentence(now)}"
-        return Choice(now, told + _verdict(limit, now) + _by_now(limit, now, points))
+        verdict = _verdict(Limit(accuracy=limit.accuracy), now)  # its seconds are spent already
+        return Choice(now, told + verdict + _by_now(limit, now, points))
     head = f"{limit.label}: {now.rung.label}"
     if now.is_answer:
         ran = f"{head}, which ran for it ({_error(now)}{_told_seconds(chosen, now)})."
@@ -182,9 +183,11 @@ def _error(point: Point) -> str:
 
 def _sentence(point: Point) -> str:
     error = _error(point)
+    seconds = "" if point.seconds is None else f"took {_short(point.seconds.value)} s, "
+    there = f"is there already and costs nothing more ({seconds}{error})."
     if point.is_answer:
-        return f"{point.rung.label}, which has been answered ({error})."
+        return f"{point.rung.label}, whose answer {there}"
     if point.same_as is not None:
-        return f"{point.rung.label}, which {point.same_as.label} has answered ({error})."
-    seconds = "" if point.seconds is None else f", {_expected(point.seconds)}"
-    return f"{point.rung.label} ({error}{seconds})."
+        return f"{point.rung.label}, for which the answer of {point.same_as.label} {there}"
+    expected = "" if point.seconds is None else f", {_expected(point.seconds)}"
+    return f"{point.rung.label} ({error}{expected})."

@@ -185,3 +185,10 @@ def test_the_layer_carries_its_assumptions_with_it() -> None:
     assert any("chamber_length" in sentence for sentence in plain)
     # where nothing reads it, its height may be anything within its limits
     assert printed.changed(layer="none", layer_height=20).digest != printed.digest
+
+
+@pytest.mark.parametrize("name", ["printed-14", "bellows-9-1.6"])
+def test_a_known_mismatch_with_measurements_is_carried_along(name: str) -> None:
+    design = preset(name).design
+    assert "docs/validation.md" in design.assumptions()[-1]
+    assert "docs/validation.md" in design.changed(width=18).assumptions()[-1]

@@ -51,7 +51,15 @@ def test_the_most_accurate_rung_within_a_time_is_taken() -> None:
 
 def test_an_answer_that_is_there_costs_nothing_more() -> None:
     there = [*LADDER[:2], measured(FE[2], 0.01)]
-    assert _name(at_most_seconds(there, 0.1).point) == "fe 2 %"
+    quick = at_most_seconds(there, 0.1)
+    assert _name(quick.point) == "fe 2 %"
+    assert quick.why == (
+        "at most 0.1 s: fe 2 %, whose answer is there already and costs nothing more "
+        "(took 1 s, error up to 1 %)."
+    )
+    told = as_it_went(Limit(seconds=0.1), there[2], there, 30)
+    assert "costs nothing more" in told.why
+    assert "more than 0.1 s" not in told.why
     assert _name(at_most_error(there, 0.5).point) == "fe 2 %"
 
 
@@ -114,3 +122,7 @@ def test_an_answer_goes_before_the_rungs_that_would_repeat_it() -> None:
     assert _name(at_most_seconds([same, ran], 10).point) == "fe 2 %"
     told = as_it_went(Limit(accuracy=0.02), LADDER[3], [same, ran], 30)
     assert "by now" not in told.why
+    assert (
+        "fe 10 %, for which the answer of fe 2 % is there already"
+        in at_most_error([same], 0.02).why
+    )

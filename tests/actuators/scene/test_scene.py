@@ -97,6 +97,8 @@ def test_a_volume_must_be_one_a_cavity_can_have(volume: float) -> None:
     with pytest.raises(SceneError) as refusal:
         Scene(volume_to=volume)
     assert refusal.value.field == "volume"
+    assert "above 0" in str(refusal.value)
+    assert "above 0" in refusal.value.mend
 
 
 @pytest.mark.parametrize(
