@@ -5,7 +5,7 @@ from fastapi.concurrency import run_in_threadpool
 
 from backend.simulations import jobs, service
 from backend.simulations import ladder as rungs
-from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest
+from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest, Range
 from backend.simulations.schemas import (
     Job,
     JobState,
@@ -71,6 +71,13 @@ def get_job(job_id: str, store: Storage) -> Job:
 def cancel_job(job_id: str, store: Storage) -> Job:
     """Ask a job to stop; a finished one stays as it is."""
     return jobs.cancel(store, job_id)
+
+
+@router.get("/jobs/{job_id}/expected")
+def get_expected_seconds(job_id: str, store: Storage) -> Range | None:
+    """Seconds that a job under way is expected to take, as the ladder of its question says, with
+    the range that holds four of five; null once it has ended."""
+    return rungs.expected_seconds(store, job_id)
 
 
 @router.get("/jobs/{job_id}/result")

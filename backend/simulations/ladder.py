@@ -12,12 +12,13 @@ from actuators.mechanics.ladder import (
     at_most_error,
     at_most_seconds,
     build_ladder,
+    expected_time,
     ladder_rungs,
 )
 from actuators.mechanics.scene import Scene
 from backend.designs.question import read_design, read_scene
 from backend.simulations.aside import Kept
-from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest
+from backend.simulations.ladder_schemas import LadderAnswer, LadderRequest, Range
 from backend.simulations.past_jobs import cost_model
 from storage import JobRow, ResultRow, Store
 from storage.question import BROKEN_OFF, OPEN_OUTCOMES, science_version
@@ -64,6 +65,27 @@ def ladder(store: Store, body: LadderRequest, aside: Kept | None) -> LadderAnswe
         elif point.rung in known.cancelled and point.state == "predicted":
             entry["outcome"] = "cancelled"
     return LadderAnswer.model_validate(document)
+
+
+def expected_seconds(store: Store, job_id: str) -> Range | None:
+    """Seconds that a job is expected to take, as the ladder of its question has them; None once it
+    has ended. Raises NotFoundError."""
+    job = store.get_job(job_id)
+    if not job.active:
+        return None
+    design = read_design(store.get_version(job.version_id).document)
+    scene = read_scene(job.scene)
+    known, costs, rung = _Known(), cost_model(store), _rung(job)
+    _read_results(store, design, scene, known)
+    _read_jobs(store, design, scene, known)
+    built = build_ladder(design, scene, known.answers, known.refusals, costs, known.spent)
+    told = [p.seconds for p in built.points if p.rung == rung and p.state == "predicted"
+            and p.same_as is None and p.seconds is not None]  # fmt: skip
+    if told:
+        return Range.model_validate(told[0].to_document())
+    # one mesh is not on the ladder, and what an older version answered is asked anew
+    time = expected_time(design, scene, rung, costs)
+    return Range(value=time.seconds, low=time.low, high=time.high)
 
 
 def _ask_instant(design: Design, scene: Scene, wanted: Collection[str], known: _Known) -> None:

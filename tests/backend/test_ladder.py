@@ -152,3 +152,21 @@ def test_the_web_process_does_not_load_the_3d_solver() -> None:
         "sys.exit('actuators.mechanics.continuum' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_job_under_way_has_the_seconds_that_its_ladder_told(client: TestClient) -> None:
+    store: Store = client.app.state.store  # type: ignore[attr-defined]
+    version, scene = saved(client, "Expected"), {"pressure_kPa": {"to": 5.0, "steps": 4}}
+    body = {"version_id": version["id"], "scene": scene, "accuracy": 0.02}
+    job = client.post("/api/jobs", json=body).json()
+    told = points(client, scene=scene)[1]["fe 2 %"]["seconds"]
+    address = f"/api/jobs/{job['id']}/expected"
+    assert client.get(address).json() == told
+    assert told["low"] < told["value"] < told["high"]
+    # one mesh is not on the ladder; it has its seconds as well
+    coarse = client.post("/api/jobs", json={**body, "mesh": "coarse"}).json()
+    alone = client.get(f"/api/jobs/{coarse['id']}/expected").json()
+    assert 0.0 < alone["value"] < told["value"]
+    store.cancel(job["id"])
+    assert client.get(address).json() is None
+    assert client.get("/api/jobs/none/expected").status_code == 404

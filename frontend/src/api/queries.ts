@@ -1,7 +1,7 @@
 import { QueryClient, useQuery } from "@tanstack/react-query";
 
 import { api, ApiProblem, take } from "./client";
-import type { Preset } from "./types";
+import type { Job, Preset } from "./types";
 
 export const queryClient = new QueryClient({
   defaultOptions: {
@@ -86,6 +86,18 @@ export function useJobResult(jobId: string | null) {
     queryKey: keys.result(jobId ?? ""),
     queryFn: () => take(api.GET("/api/jobs/{job_id}/result", { params: { path: { job_id: jobId ?? "" } } })),
     enabled: jobId !== null,
+    ...FOREVER,
+  });
+}
+
+/** Seconds that a job under way was expected to take; asked once, for the answer is to be held against. */
+export function useExpectedSeconds(job: Job | null) {
+  const id = job?.id ?? "";
+  const active = job?.state === "queued" || job?.state === "running";
+  return useQuery({
+    queryKey: ["expected", id],
+    queryFn: () => take(api.GET("/api/jobs/{job_id}/expected", { params: { path: { job_id: id } } })),
+    enabled: active,
     ...FOREVER,
   });
 }

@@ -4,6 +4,8 @@ import type { ComparedSide, Comparison, PathPoint, Result } from "../api/types";
 import { valueAt } from "../charts/curve";
 import { spelt } from "../history/changes";
 import { QUANTITIES, type Quantity } from "../results/quantities";
+import { beyondInWords } from "../results/words";
+import { Icon } from "../ui/Icon";
 import { NumberField } from "../ui/NumberField";
 import { formatQuantity } from "../ui/numbers";
 import { Slider } from "../ui/Slider";
@@ -115,9 +117,13 @@ interface CellProps {
 
 function Cell({ side, pressure, quantity, fe }: CellProps) {
   const read = (result: Result | null) => (result ? formatQuantity(valueAt(result, pressure, quantity), 4) : "—");
+  const instant = side.instant_result;
+  const beyond = instant ? beyondInWords(instant, pressure, "pressure") : undefined;
   return (
     <td>
-      {read(side.instant_result)}
+      <span className={beyond === undefined ? "" : "faded beyond"} title={beyond}>
+        {beyond !== undefined && <Icon name="warning" size={11} />} {read(instant)}
+      </span>
       {fe && <span className="of-fe"> FE {read(side.fe_result)}</span>}
     </td>
   );

@@ -4,6 +4,7 @@ import { api, messageOf, take } from "../api/client";
 import { keys, queryClient } from "../api/queries";
 import { withJob } from "../api/live";
 import type { Job } from "../api/types";
+import { rangeInWords } from "../ladder/scale";
 import { jobSentence, meshOrAccuracy, stateInWords } from "../results/words";
 import { shownJob } from "../results/shown";
 import { Button, IconButton } from "../ui/Button";
@@ -12,7 +13,7 @@ import { dropDrafts } from "../ui/drafts";
 import { showToast } from "../ui/toasts";
 import { setViewer } from "../viewer/settings";
 import { openVersion } from "../workbench/opening";
-import { useElapsed } from "./useElapsed";
+import { useExpectation } from "./expected";
 
 function tone(job: Job): string {
   if (job.state === "failed") return "bad";
@@ -38,7 +39,7 @@ interface JobRowProps {
 }
 
 export function JobRow({ job, here, answers, shown }: JobRowProps) {
-  const elapsed = useElapsed(job);
+  const { elapsed, expected, late } = useExpectation(job);
   const active = job.state === "queued" || job.state === "running";
   const sentence = jobSentence(job);
   return (
@@ -65,7 +66,8 @@ export function JobRow({ job, here, answers, shown }: JobRowProps) {
           <td className="job-progress">
             <progress value={job.fraction} max={1} aria-label={`Progress of ${job.design_name}`} />
           </td>
-          <td className="job-message muted" title={sentence}>
+          <td className="job-message muted" title={late === null ? sentence : `${late}. ${sentence}`}>
+            {late !== null && <strong data-testid={`late-${job.id}`}>{late}. </strong>}
             {sentence}
           </td>
         </>
@@ -76,7 +78,14 @@ export function JobRow({ job, here, answers, shown }: JobRowProps) {
           </span>
         </td>
       )}
-      <td className="job-elapsed">{elapsed === null ? "" : formatSeconds(elapsed)}</td>
+      <td className={late === null ? "job-elapsed" : "job-elapsed late"} title={active && expected ? `Expected: ${rangeInWords(expected)}` : undefined}>
+        {elapsed === null ? "" : formatSeconds(elapsed)}
+        {elapsed !== null && job.attempt > 1 && (
+          <span className="attempts" title="From the start of the first attempt; an attempt whose worker was lost is counted" data-testid={`attempts-${job.id}`}>
+            in {job.attempt} attempts
+          </span>
+        )}
+      </td>
       <td className="job-tools">
         {active && <CancelButton job={job} />}
         {job.has_answer && answers && <ShowButton job={job} shown={shown} />}

@@ -1,13 +1,14 @@
 import { useState, type KeyboardEvent } from "react";
 
 import { usePick } from "../api/store";
+import { useLateness } from "../jobs/expected";
 import type { Ladder, LadderPoint } from "../api/types";
 import { useSize } from "../ui/useSize";
 import { refined } from "../workbench/refined";
 import { placeNames, type Placed } from "./labels";
-import { PointCard } from "./PointCard";
+import { EARLIER, PointCard } from "./PointCard";
 import { about, actionOf, alsoAnswers, isEarly, placeOf, plotted, rungName, shortName, standing } from "./points";
-import { decades, logScale, marks, shortSeconds, type LogScale } from "./scale";
+import { decades, logScale, marks, timeMarks, type LogScale } from "./scale";
 import { takeRung } from "./take";
 
 const SPACE = { left: 46, right: 12, top: 8, bottom: 20 };
@@ -61,7 +62,10 @@ function pictureOf(ladder: Ladder, picks: readonly string[], width: number, heig
 
 interface LadderChartProps {
   ladder: Ladder;
+  /** Whether its values answer an earlier question than the one on the bench. */
   stale: boolean;
+  /** Whether those of the question on the bench are on their way. */
+  asking: boolean;
   /** Label of the rung whose curve is drawn. */
   drawnRung: string | null;
   /** Labels of the rungs chosen by the limits. */
@@ -69,14 +73,14 @@ interface LadderChartProps {
 }
 
 /** Error over seconds, both logarithmic: filled points have run, hollow ones are predicted. */
-export function LadderChart({ ladder, stale, drawnRung, picks }: LadderChartProps) {
+export function LadderChart({ ladder, stale, asking, drawnRung, picks }: LadderChartProps) {
   const [ref, { width, height }] = useSize();
   const [open, setOpen] = useState<string | null>(null);
   const ready = width > 80 && height > 60;
   const picture = ready ? pictureOf(ladder, picks, width, height) : null;
   const shown = picture?.drawn.find(({ point }) => point.label === open);
   return (
-    <div className={`ladder-chart${stale ? " stale" : ""}`} ref={ref} data-testid="ladder-chart">
+    <div className={`ladder-chart${stale ? " stale" : ""}`} ref={ref} data-testid="ladder-chart" data-stale={stale}>
       {picture && (
         <svg width={width} height={height} role="group" aria-label="Error against seconds of every model">
           <Axes across={picture.across} up={picture.up} width={width} height={height} />
@@ -90,12 +94,18 @@ export function LadderChart({ ladder, stale, drawnRung, picks }: LadderChartProp
               also={alsoAnswers(ladder, each.point)}
               isDrawn={each.point.label === drawnRung}
               isPicked={picks.includes(each.point.label)}
+              stale={stale}
               onOpen={setOpen}
             />
           ))}
         </svg>
       )}
-      {shown && <PointCard point={shown.point} also={alsoAnswers(ladder, shown.point)} at={shown} width={width} height={height} />}
+      {stale && (
+        <p className="ladder-stale" role="status" data-testid="ladder-stale">
+          {asking && <span className="spinner" aria-hidden="true" />} Of the earlier question{asking ? ", comparing anew" : ""}
+        </p>
+      )}
+      {shown && <PointCard point={shown.point} also={alsoAnswers(ladder, shown.point)} stale={stale} at={shown} width={width} height={height} />}
     </div>
   );
 }
@@ -105,11 +115,11 @@ function Axes({ across, up, width, height }: { across: LogScale; up: LogScale; w
   const floor = height - SPACE.bottom;
   return (
     <g className="ladder-axes" aria-hidden="true">
-      {marks(across, Math.max(2, Math.floor((right - SPACE.left) / 46))).map((value, index, all) => (
-        <g key={value}>
-          <line x1={across.place(value)} x2={across.place(value)} y1={SPACE.top} y2={floor} />
-          <text x={across.place(value)} y={height - 5} textAnchor={index === all.length - 1 ? "end" : "middle"}>
-            {value < 1 ? shortSeconds(value) : `${value} s`}
+      {timeMarks(across, Math.max(2, Math.floor((right - SPACE.left) / 46))).map(({ at, text }) => (
+        <g key={at}>
+          <line x1={across.place(at)} x2={across.place(at)} y1={SPACE.top} y2={floor} />
+          <text x={across.place(at)} y={height - 5} textAnchor={across.place(at) > right - 12 ? "end" : "middle"}>
+            {text}
           </text>
         </g>
       ))}
@@ -129,15 +139,20 @@ interface PointProps extends Drawn {
   also: readonly string[];
   isDrawn: boolean;
   isPicked: boolean;
+  stale: boolean;
   onOpen: (label: string | null) => void;
 }
 
-function Point({ point, x, y, name, also, isDrawn, isPicked, onOpen }: PointProps) {
+function Point({ point, x, y, name, also, isDrawn, isPicked, stale, onOpen }: PointProps) {
   const computing = usePick(refined, (now) => now.asking) && point.rung === "cell-rod";
   const busy = computing || point.job_id !== null;
-  const classes = ["ladder-point", point.rung, point.state, busy && "busy", isDrawn && "drawn", isEarly(point) && "early"];
+  const late = useLateness(point.job_id);
+  const action = actionOf(point, stale);
+  const warned = isEarly(point) || late !== null;
+  const classes = ["ladder-point", point.rung, point.state, busy && "busy", isDrawn && "drawn", warned && "early"];
   const activate = () => void takeRung(point);
-  const label = `${rungName(point)}, ${standing(point)}. ${about(point, also).join(" ")} ${actionOf(point)}.`;
+  const told = [...about(point, also), late === null ? "" : `${late}.`, stale ? EARLIER : "", action && `${action}.`];
+  const label = `${rungName(point)}, ${standing(point)}. ${told.filter(Boolean).join(" ")}`;
   return (
     <g
       className={classes.filter(Boolean).join(" ")}

@@ -11,6 +11,7 @@ import { askRefined, refined } from "../workbench/refined";
 import { bench } from "../workbench/workbench";
 import { ladder } from "./ask";
 import { LadderChart } from "./LadderChart";
+import { limits, sameLimits } from "./limits";
 import { Picks } from "./Picks";
 import { about, actionOf, listed, rungName } from "./points";
 import { takeRung } from "./take";
@@ -24,6 +25,7 @@ export function LadderPanel() {
   const work = usePick(bench, (timeline) => timeline?.present.work ?? null);
   const { ladder: found, problem } = state;
   const stale = work === null || state.answered === null || !sameQuestion(state.answered, work);
+  const wanted = useStore(limits);
   const picks = found?.choices.flatMap((choice) => choice.rung ?? []) ?? [];
   const drawn = useDrawn();
   return (
@@ -48,7 +50,7 @@ export function LadderPanel() {
       {open && (
         <>
           {found ? (
-            <LadderChart ladder={found} stale={stale} drawnRung={drawn?.result.rung ?? null} picks={picks} />
+            <LadderChart ladder={found} stale={stale} asking={problem === null} drawnRung={drawn?.result.rung ?? null} picks={picks} />
           ) : (
             <div className="ladder-chart">{problem === null ? <Busy label="Comparing the models" /> : null}</div>
           )}
@@ -58,8 +60,8 @@ export function LadderPanel() {
             </p>
           )}
           <Unrefined />
-          {found && <Picks ladder={found} stale={stale} />}
-          {found && <Unplotted points={listed(found)} />}
+          {found && <Picks ladder={found} stale={stale || !sameLimits(state.asked, wanted)} />}
+          {found && <Unplotted points={listed(found)} stale={stale} />}
         </>
       )}
     </section>
@@ -86,10 +88,10 @@ function learned(found: Ladder | null): string {
 }
 
 /** Rungs without a place in the plane, each with its reason. */
-function Unplotted({ points }: { points: readonly LadderPoint[] }) {
+function Unplotted({ points, stale }: { points: readonly LadderPoint[]; stale: boolean }) {
   if (points.length === 0) return null;
   return (
-    <ul className="unplotted" data-testid="ladder-unplotted">
+    <ul className={`unplotted${stale ? " stale" : ""}`} data-testid="ladder-unplotted">
       {points.map((point) => {
         const words = about(point, []).join(" ");
         const again = point.rung === "fe";

@@ -4,7 +4,7 @@ import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { formatPercent, sentence } from "../ui/numbers";
 import { useHindrance } from "../workbench/hindrance";
-import { limits, withLimit, type Limits } from "./limits";
+import { limits, MOST, withLimit, type Limits } from "./limits";
 import { inWords, rungName, shortName } from "./points";
 import { shortSeconds } from "./scale";
 import { takeRung } from "./take";
@@ -45,15 +45,15 @@ interface PickProps {
 function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
   const hindered = useHindrance();
   const words = sentence(inWords(why));
-  const queued = point?.rung === "fe" && point.state !== "measured" && point.same_as === null;
+  const queued = point?.rung === "fe" && !isThere(point);
   return (
     <div className="pick-row" data-testid={`pick-${name}`} data-rung={point?.label ?? ""}>
       <span>At most</span>
-      <NumberField value={value} step={1} unit={unit} label={label} onCommit={(next) => limits.update((all) => withLimit(all, name, next))} testId={`limit-${name}`} />
+      <NumberField value={value} step={1} unit={unit} label={label} onCommit={(next) => limits.update((all) => withLimit(all, name, next))} above={0} most={MOST[name]} standsAside testId={`limit-${name}`} />
       <span className={`pick-rung${stale ? " faded" : ""}`} title={words}>
         {point ? (
           <>
-            <strong title={rungName(point)}>{shortName(point)}</strong> <span className="muted">{name === "percent" ? timeOf(point) : errorOf(point)}</span>
+            <strong title={rungName(point)}>{shortName(point)}</strong> <span className="muted">{beside(name, point)}</span>
           </>
         ) : (
           <span className="muted">no rung: hover to read why</span>
@@ -62,8 +62,8 @@ function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
       <Button
         look="plain"
         icon={queued ? "play" : "eye"}
-        disabled={point === null || point.job_id !== null || (point.rung === "fe" && hindered !== null)}
-        title={point === null ? words : (hindered ?? words)}
+        disabled={stale || point === null || point.job_id !== null || (point.rung === "fe" && hindered !== null)}
+        title={stale ? "Picked for the earlier question" : point === null ? words : (hindered ?? words)}
         data-testid={`take-${name}`}
         onClick={() => {
           if (point) void takeRung(point);
@@ -75,12 +75,22 @@ function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
   );
 }
 
-function timeOf({ state, same_as: same, seconds }: LadderPoint): string {
-  return state === "predicted" && same === null && seconds ? `~ ${shortSeconds(seconds.value)}` : "answered";
+/** What the other axis says of the rung picked, and where its answer is there, that it is: such a one fits any time. */
+export function beside(limit: keyof Limits, point: LadderPoint): string {
+  const { seconds } = point;
+  const error = limit === "seconds" ? errorOf(point) : "";
+  if (!isThere(point)) return limit === "seconds" || !seconds ? error : `~ ${shortSeconds(seconds.value)}`;
+  const there = `there already${seconds ? `, ${shortSeconds(seconds.value)}` : ""}`;
+  return [error, there.replaceAll(" ", "\u00a0")].filter(Boolean).join(", ");
+}
+
+/** Whether its answer costs nothing more: it has run, or another's answer stands for it. */
+function isThere({ state, same_as: same }: LadderPoint): boolean {
+  return state === "measured" || same !== null;
 }
 
 function errorOf({ error_percent: error }: LadderPoint): string {
   if (!error) return "";
   const worst = formatPercent(error.high);
-  return /^\d/.test(worst) ? `up to ${worst}` : worst;
+  return (/^\d/.test(worst) ? `up to ${worst}` : worst).replaceAll(" ", "\u00a0");
 }

@@ -10,27 +10,33 @@ import type { Work } from "../workbench/document";
 import { sceneOf } from "../workbench/loads";
 import { refined } from "../workbench/refined";
 import { followAtRest } from "../workbench/rest";
-import { limits } from "./limits";
+import { limits, type Limits } from "./limits";
 
 export interface LadderState {
   readonly ladder: Ladder | null;
   /** The work that `ladder` is about. */
   readonly answered: Work | null;
+  /** The limits that its choices keep to. */
+  readonly asked: Limits | null;
   readonly asking: boolean;
   readonly problem: string | null;
 }
 
-export const ladder = new Store<LadderState>({ ladder: null, answered: null, asking: true, problem: null });
+export const ladder = new Store<LadderState>({ ladder: null, answered: null, asked: null, asking: true, problem: null });
 
-const ladders = new Lane<Work, Ladder>(
-  ({ design, loads }) => {
-    const { percent, seconds } = limits.get();
+interface Question {
+  work: Work;
+  asked: Limits;
+}
+
+const ladders = new Lane<Question, Ladder>(
+  ({ work: { design, loads }, asked: { percent, seconds } }) => {
     // The cell and rod is asked for by itself; what it answered is known to the ladder.
     const run = ["closed-form", "energy"];
     const body = { design, scene: sceneOf(loads, "auto"), run, at_most_percent: [percent], at_most_s: [seconds] };
     return take(api.POST("/api/ladder", { body }));
   },
-  (work, answer) => ladder.set({ ladder: answer, answered: work, asking: false, problem: null }),
+  ({ work, asked }, answer) => ladder.set({ ladder: answer, answered: work, asked, asking: false, problem: null }),
   (_, error) => ladder.update((now) => ({ ...now, asking: false, problem: messageOf(error) })),
 );
 
@@ -41,8 +47,9 @@ const REFUSED = "Correct the marked parameter first.";
 export function followForLadder(): void {
   const again = followAtRest({
     afterMs: REST_MS,
-    onMove: () => ladder.update((now) => ({ ...now, asking: true })),
-    onRest: (work) => ladders.ask(work),
+    // What was wrong with the question before is not wrong with this one, as far as anybody knows.
+    onMove: () => ladder.update((now) => ({ ...now, asking: true, problem: null })),
+    onRest: (work) => ladders.ask({ work, asked: limits.get() }),
     onRefused: () => ladder.update((now) => ({ ...now, asking: false, problem: REFUSED })),
   });
   limits.subscribe(again);

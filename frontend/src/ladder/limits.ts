@@ -8,7 +8,7 @@ export interface Limits {
 
 const KEY = "pneustudio.limits";
 const FIRST: Limits = { percent: 2, seconds: 10 };
-const MOST: Limits = { percent: 1000, seconds: 1e6 };
+export const MOST: Limits = { percent: 1000, seconds: 1e6 };
 
 function usable(value: unknown, most: number): value is number {
   return typeof value === "number" && value > 0 && value <= most;
@@ -17,6 +17,10 @@ function usable(value: unknown, most: number): value is number {
 /** The limits with one changed; unchanged where the value cannot be meant. */
 export function withLimit(limits: Limits, name: keyof Limits, value: number): Limits {
   return usable(value, MOST[name]) ? { ...limits, [name]: value } : limits;
+}
+
+export function sameLimits(a: Limits | null, b: Limits): boolean {
+  return a !== null && a.percent === b.percent && a.seconds === b.seconds;
 }
 
 function read(): Limits {

@@ -1,6 +1,8 @@
+// @vitest-environment jsdom
 import { describe, expect, it } from "vitest";
 
 import type { Ladder, LadderPoint } from "../api/types";
+import { beside } from "./Picks";
 import { about, actionOf, isEarly, listed, placeOf, plotted, rungName, standing } from "./points";
 
 const range = (value: number, low = value, high = value) => ({ value, low, high });
@@ -46,6 +48,22 @@ describe("points of the ladder", () => {
     expect(actionOf(refused)).toBe("");
     expect(actionOf(point({ state: "refused", reason: "no equilibrium" }))).toBe("Click to run it again");
     expect(actionOf(point({ job_id: "j" }))).toBe("Is being computed");
+  });
+
+  it("are named beside a limit, and whether their answer is there already", () => {
+    const words = (limit: "percent" | "seconds", change: Partial<LadderPoint>) => beside(limit, point(change)).replaceAll("\u00a0", " ");
+    expect(words("percent", {})).toBe("~ 12 s");
+    expect(words("seconds", {})).toBe("up to 5 %");
+    const there = { state: "measured", seconds: range(46), error_percent: range(3, 0, 3) } as const;
+    expect(words("percent", there)).toBe("there already, 46 s");
+    expect(words("seconds", there)).toBe("up to 3 %, there already, 46 s");
+    expect(words("seconds", { same_as: "fe 10 %", seconds: range(9), error_percent: range(1, 0, 1) })).toBe("up to 1 %, there already, 9 s");
+  });
+
+  it("of an earlier question promise no answer", () => {
+    expect(actionOf(best)).toBe("Click to show its answer");
+    expect(actionOf(best, true)).toBe("Click to run it");
+    expect(actionOf(energy, true)).toBe("Click to draw it");
   });
 
   it("say that an answer ended early, and how to go on", () => {

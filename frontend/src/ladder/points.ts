@@ -2,7 +2,7 @@
 import type { Ladder, LadderPoint } from "../api/types";
 import { kPa, outcomeInWords } from "../results/words";
 import { formatPercent, sentence } from "../ui/numbers";
-import { shortSeconds } from "./scale";
+import { rangeInWords, shortSeconds } from "./scale";
 
 /** Where a point stands on both axes. A run whose error nobody can tell has its seconds only. */
 export interface Place {
@@ -76,7 +76,7 @@ export function isOpen({ state, outcome }: LadderPoint): boolean {
 export function secondsInWords({ seconds, state }: LadderPoint): string {
   if (!seconds) return "";
   if (state === "measured") return `${shortSeconds(seconds.value)}, measured`;
-  return `about ${shortSeconds(seconds.value)}, four of five jobs between ${shortSeconds(seconds.low)} and ${shortSeconds(seconds.high)}`;
+  return rangeInWords(seconds);
 }
 
 /** What is more than nobody tells apart [%]. */
@@ -113,10 +113,10 @@ export function about(point: LadderPoint, also: readonly string[]): string[] {
   return lines;
 }
 
-/** What a click does. */
-export function actionOf(point: LadderPoint): string {
+/** What a click does. `stale`: the point is of an earlier question, whose answer may not be that of this one. */
+export function actionOf(point: LadderPoint, stale = false): string {
   if (point.job_id !== null) return "Is being computed";
   if (point.rung !== "fe") return point.state === "refused" ? "" : "Click to draw it";
-  if (point.state === "measured") return "Click to show its answer";
+  if (point.state === "measured") return stale ? "Click to run it" : "Click to show its answer";
   return point.state === "refused" ? "Click to run it again" : "Click to run it";
 }

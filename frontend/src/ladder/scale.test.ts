@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { formatPercent } from "../ui/numbers";
-import { decades, logScale, marks, shortSeconds } from "./scale";
+import { decades, logScale, marks, shortSeconds, timeMarks } from "./scale";
 
 describe("logarithmic axes", () => {
   it("span whole decades around the values, at least two", () => {
@@ -22,6 +22,13 @@ describe("logarithmic axes", () => {
   it("mark decades, leaving out evenly where there is no room", () => {
     expect(marks({ low: 1, high: 1000 }, 10)).toEqual([1, 10, 100, 1000]);
     expect(marks({ low: 1e-3, high: 1e3 }, 4).map(Math.log10).map(Math.round)).toEqual([-3, -1, 1, 3]);
+  });
+
+  it("mark times in the units that people count in", () => {
+    const texts = (low: number, high: number, most: number) => timeMarks({ low, high }, most).map(({ text }) => text);
+    expect(texts(1, 1e5, 10)).toEqual(["1 s", "10 s", "1 min", "10 min", "1 h", "10 h"]);
+    expect(texts(1e-3, 1e5, 5)).toEqual(["1 ms", "0.1 s", "10 s", "10 min", "10 h"]);
+    for (const { at, text } of timeMarks({ low: 1e-3, high: 10 }, 10)) expect(shortSeconds(at)).toBe(text);
   });
 
   it("write times and errors with their units", () => {

@@ -35,7 +35,7 @@ export function ParameterPanel() {
   const family = query.data.find((each) => each.family === familyOf(work.design));
   if (!family) return <Notice tone="bad">This design belongs to a family that this version does not know.</Notice>;
   const parameters = family.parameters.filter((parameter) => isRelevant(parameter.name, work.design));
-  const problem = designProblem ?? sceneProblem;
+  const problem = designProblem ?? (sceneProblem && isEndGone(sceneProblem, work) ? null : sceneProblem);
   const named = problem && placeOf(problem, parameters, work);
   const inScene = problem !== null && named !== null && !parameters.some((each) => each.name === named.name);
   return (
@@ -131,6 +131,12 @@ function groupsOf(parameters: readonly Parameter[]): [string, Parameter[]][] {
 function names(problem: ProblemDetail, parameter: Parameter): boolean {
   const field = problem.field.split(".").at(-1);
   return field === parameter.name || field === parameter.border_name;
+}
+
+/** Of the end of the path by a pressure where now a volume ends it, or the other way round. */
+function isEndGone(problem: ProblemDetail, { loads }: Work): boolean {
+  const place = problem.kind === "design" ? null : placeInScene(problem.field, loads);
+  return (place === "pressure" || place === "volume") && place !== loads.control;
 }
 
 type Place = Pick<Parameter, "name" | "label">;

@@ -1,14 +1,15 @@
 import type { Result } from "../api/types";
 import { valueAt } from "../charts/curve";
+import { Icon } from "../ui/Icon";
 import { formatPercent, formatQuantity } from "../ui/numbers";
 import { MathSymbol } from "../ui/Symbol";
 import type { Control } from "../workbench/loads";
 import { modelName } from "../workbench/model";
-import { PRESSURE, QUANTITIES, type Quantity } from "./quantities";
+import { caveatOf, PRESSURE, QUANTITIES, type Quantity } from "./quantities";
 import { reached, within } from "./reached";
 import type { ShownFe } from "./shown";
 import { uncertainty } from "./uncertainty";
-import { kPa, placeInWords } from "./words";
+import { beyondInWords, kPa, placeInWords } from "./words";
 
 interface NumbersTableProps {
   /** Null where the instant model has no answer. */
@@ -40,11 +41,7 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
       <thead>
         <tr>
           <th scope="col">Quantity</th>
-          {instant && (
-            <th scope="col" className="series-instant" data-testid="drawn-model" data-rung={instant.rung}>
-              {modelName(instant.rung)}
-            </th>
-          )}
+          {instant && <InstantHead result={instant} place={place} control={control} />}
           {fe && <FeHead fe={fe} control={control} place={place} />}
           {estimated && (
             <th scope="col" title="Estimated error of the finite-element answer, from nested meshes, in the unit of its row">
@@ -60,11 +57,7 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
             <th scope="row">
               {quantity.label} <MathSymbol symbol={quantity.symbol} />
             </th>
-            {instant && (
-              <td data-testid={`number-${quantity.name}`}>
-                {shown(valueAt(instant, place, quantity.value, control), quantity)}
-              </td>
-            )}
+            {instant && <InstantCell result={instant} quantity={quantity} place={place} control={control} />}
             {fe && <FeCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />}
             {estimated && fe && (
               <EstimateCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />
@@ -75,6 +68,45 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
         {fe && <LimitRow fe={fe} instant={instant !== null} estimate={estimated ? (estimates.limit_pressure ?? null) : undefined} />}
       </tbody>
     </table>
+  );
+}
+
+interface InstantProps {
+  result: Result;
+  place: number;
+  control: Control;
+}
+
+function InstantHead({ result, place, control }: InstantProps) {
+  const beyond = beyondInWords(result, place, control);
+  return (
+    <th scope="col" className="series-instant" title={beyond} data-testid="drawn-model" data-rung={result.rung}>
+      {beyond !== undefined && <Icon name="warning" size={11} />} {modelName(result.rung)}
+    </th>
+  );
+}
+
+/** Beyond the model's own range its number may be anything, and is as pale as its curve is there. */
+function InstantCell({ result, quantity, place, control }: InstantProps & { quantity: Quantity }) {
+  const value = valueAt(result, place, quantity.value, control);
+  const beyond = beyondInWords(result, place, control);
+  return (
+    <td className={beyond === undefined ? "" : "faded"} title={beyond} data-testid={`number-${quantity.name}`}>
+      {shown(value, quantity)}
+      {value !== null && <Caveat result={result} quantity={quantity} />}
+    </td>
+  );
+}
+
+/** What an answer's notes say of this very number. */
+function Caveat({ result, quantity }: { result: Result; quantity: Quantity }) {
+  const note = caveatOf(result, quantity);
+  if (note === null) return null;
+  return (
+    <abbr className="caveat" title={note} data-testid={`caveat-${result.rung}-${quantity.name}`}>
+      <Icon name="info" size={11} />
+      <span className="visually-hidden">{note}</span>
+    </abbr>
   );
 }
 
@@ -103,6 +135,7 @@ function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control
       title={knows(fe.result, quantity) ? undefined : "not computed by 3D FE"}
     >
       {shown(valueAt(fe.result, place, quantity.value, control), quantity)}
+      {knows(fe.result, quantity) && <Caveat result={fe.result} quantity={quantity} />}
     </td>
   );
 }

@@ -26,13 +26,14 @@ import { kPa, loadsInWords, placeInWords } from "./words";
 export function ResultsPanel() {
   const now = useStore(answers);
   const work = usePick(bench, (timeline) => timeline?.present.work ?? null);
-  const at = usePick(scrubber, shownPlace);
+  const control = work?.loads.control ?? "pressure";
+  // Frames of what lay on the bench before may be told by what was in control then.
+  const at = usePick(scrubber, (state) => (state.control === control ? shownPlace(state) : null));
   const fe = useShownFe();
   const refused = (now.designProblem ?? now.sceneProblem) !== null || now.unreachable;
   const stale = work !== null && isStale(now, work) && refused;
   const drawn = useDrawn();
   const instant = drawn?.result ?? null;
-  const control = work?.loads.control ?? "pressure";
   if (!instant && !fe) {
     return (
       <section className="results" aria-label="Results">

@@ -1,5 +1,5 @@
 /** The numbers of a path point that the page lists. */
-import type { PathPoint } from "../api/types";
+import type { PathPoint, Result } from "../api/types";
 
 export interface Quantity {
   name: string;
@@ -133,3 +133,9 @@ export const QUANTITIES: readonly Quantity[] = [
     value: (point) => point.max_contact_pressure_kPa,
   },
 ];
+
+/** What an answer's notes say of a quantity: the notes that begin with its name. */
+export function caveatOf({ notes }: Pick<Result, "notes">, { label }: Pick<Quantity, "label">): string | null {
+  const said = notes.filter((note) => note.toLowerCase().startsWith(`the ${label.toLowerCase()} `));
+  return said.length > 0 ? said.join(" ") : null;
+}

@@ -1,8 +1,9 @@
 /** Outcomes and rungs in words. */
 import type { Job, Result } from "../api/types";
-import { placeOf } from "../charts/curve";
+import { isBeyondTrust, placeOf, trustedPlace } from "../charts/curve";
 import { formatQuantity, isSaid } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
+import { modelName } from "../workbench/model";
 import { reached } from "./reached";
 
 const OUTCOMES: Record<string, string> = {
@@ -35,6 +36,13 @@ export function kPa(pressure: number): string {
 /** A place on the path, by what is in control: "3.8 kPa", "42.0 ml". */
 export function placeInWords(at: number, control: Control): string {
   return control === "pressure" ? kPa(at) : `${formatQuantity(at)} ml`;
+}
+
+/** Why the numbers at a place mean little; undefined where the answer's own assumptions hold. */
+export function beyondInWords(result: Result, at: number, control: Control): string | undefined {
+  const trusted = trustedPlace(result, control);
+  if (trusted === null || !isBeyondTrust(result, at, control)) return undefined;
+  return `Beyond the range of ${modelName(result.rung).toLowerCase()} (${placeInWords(trusted, control)}): its assumptions do not hold here`;
 }
 
 const LOADS: Record<string, string> = {

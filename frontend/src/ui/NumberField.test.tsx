@@ -113,4 +113,25 @@ describe("number field", () => {
     fireEvent.blur(input);
     expect(commit.mock.calls).toEqual([[12]]);
   });
+
+  it("says why a number beyond its own bounds is not taken, also one stepped to, and hinders nothing where it stands aside", () => {
+    const commit = vi.fn();
+    render(<NumberField value={1} step={1} unit="s" label="Longest time" above={0} most={1e6} standsAside onCommit={commit} />);
+    const input = screen.getByLabelText<HTMLInputElement>("Longest time in s");
+    for (const text of ["0", "-3", "1e7", "300 h"]) {
+      fireEvent.change(input, { target: { value: text } });
+      fireEvent.keyDown(input, { key: "Enter" });
+      expect(input.value).toBe(text);
+      expect(screen.getByRole("alert").textContent).toBe("Must be above 0 and at most 1\u202f000\u202f000 s.");
+      expect(unreadable.get()).toEqual([]);
+      fireEvent.keyDown(input, { key: "Escape" });
+    }
+    fireEvent.keyDown(input, { key: "ArrowDown" });
+    expect(input.value).toBe("0");
+    expect(screen.getByRole("alert")).toBeTruthy();
+    expect(commit).not.toHaveBeenCalled();
+    fireEvent.change(input, { target: { value: "2 min" } });
+    fireEvent.keyDown(input, { key: "Enter" });
+    expect(commit.mock.calls).toEqual([[120]]);
+  });
 });

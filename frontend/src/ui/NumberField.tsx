@@ -2,7 +2,7 @@ import { useEffect, useId, useState } from "react";
 
 import { useStore } from "../api/store";
 import { markUnreadable, occasion } from "./drafts";
-import { formatNumber } from "./numbers";
+import { formatNumber, grouped } from "./numbers";
 import { parseQuantity, refusalOf } from "./quantity";
 
 interface NumberFieldProps {
@@ -16,6 +16,11 @@ interface NumberFieldProps {
   place?: string;
   invalid?: boolean;
   integer?: boolean;
+  /** Bounds that the field itself keeps to: above this, and at most that. */
+  above?: number;
+  most?: number;
+  /** Not of the design or its loads: a text that cannot be taken hinders nothing. */
+  standsAside?: boolean;
   /** Id of the element that says what is wrong. */
   describedBy?: string | undefined;
   onCommit: (value: number) => void;
@@ -31,6 +36,16 @@ interface Draft {
   refused: boolean;
 }
 
+/** What to say where a number lies outside the field's own bounds; null where it does not. */
+function boundRefusal(text: string, { unit, above, most }: NumberFieldProps): string | null {
+  const value = parseQuantity(text, unit);
+  if (value === null) return null;
+  const low = above !== undefined && value <= above;
+  if (!low && (most === undefined || value <= most)) return null;
+  const bounds = [above === undefined ? "" : `above ${formatNumber(above)}`, most === undefined ? "" : `at most ${grouped(formatNumber(most))} ${unit}`];
+  return `Must be ${bounds.filter(Boolean).join(" and ")}.`;
+}
+
 /** Text field for a number, or a number with a unit: Enter or leaving takes the value, Escape or
  * undo gives the old one back, the arrow keys step (with Shift ten steps). What cannot be read stays, marked. */
 export function NumberField(props: NumberFieldProps) {
@@ -40,14 +55,15 @@ export function NumberField(props: NumberFieldProps) {
   // A value that came from elsewhere (slider, undo) ends what was being typed, and so does another design.
   const draft = kept?.over === props.value && kept.on === on ? kept : null;
   const shown = draft?.text ?? formatNumber(props.value);
-  const refusal = draft && refusalOf(draft.text, props.unit, props.integer ?? false);
+  const refuse = (text: string) => refusalOf(text, props.unit, props.integer ?? false) ?? boundRefusal(text, props);
+  const refusal = draft && refuse(draft.text);
   const said = draft?.refused ? refusal : null;
-  const { label, place } = props;
+  const { label, place, standsAside = false } = props;
 
   useEffect(() => {
-    if (refusal === null) return;
+    if (refusal === null || standsAside) return;
     return markUnreadable({ label, place, words: refusal, said: said !== null });
-  }, [label, place, refusal, said]);
+  }, [label, place, refusal, said, standsAside]);
 
   function take(): void {
     if (!draft) return;
@@ -62,9 +78,11 @@ export function NumberField(props: NumberFieldProps) {
 
   function nudge(direction: number, large: boolean): void {
     const from = parseQuantity(shown, props.unit) ?? props.value;
-    const next = from + direction * props.step * (large ? 10 : 1);
-    setDraft(null);
-    props.onCommit(Number(next.toPrecision(10)));
+    const next = Number((from + direction * props.step * (large ? 10 : 1)).toPrecision(10));
+    const text = formatNumber(next);
+    const beyond = boundRefusal(text, props) !== null;
+    setDraft(beyond ? { text, over: props.value, on, refused: true } : null);
+    if (!beyond) props.onCommit(next);
   }
 
   const field = (

@@ -3,12 +3,14 @@ import { useState } from "react";
 import { usePick } from "../api/store";
 import type { Job, Result } from "../api/types";
 import { useDrawn } from "../results/drawn";
-import { useFailedJob, useShownFe } from "../results/shown";
+import { shownJob, useFailedJob, useShownFe } from "../results/shown";
 import { earlyEnd, failureInWords, failureTitle, feLabel } from "../results/words";
-import { IconButton } from "../ui/Button";
+import { Button, IconButton } from "../ui/Button";
+import { dropDrafts } from "../ui/drafts";
 import { Icon } from "../ui/Icon";
 import { readLoads } from "../workbench/loads";
 import { modelName } from "../workbench/model";
+import { setViewer } from "./settings";
 import { useSource } from "./source";
 import { view } from "./view";
 
@@ -41,8 +43,19 @@ function Failed({ job, onRead }: { job: Job; onRead: () => void }) {
         {failureInWords(job)}
         {shown && ` The shape in view is that of ${shown}.`}
       </p>
+      {job.has_answer && (
+        <Button icon="eye" data-testid="show-part" onClick={() => showPart(job)}>
+          Show the part of the path that it found
+        </Button>
+      )}
     </div>
   );
+}
+
+function showPart(job: Job): void {
+  dropDrafts();
+  shownJob.set({ kind: "job", id: job.id });
+  setViewer({ source: "fe" });
 }
 
 function EarlyEnd() {

@@ -3,8 +3,9 @@ import { IconButton } from "../ui/Button";
 import { grouped } from "../ui/numbers";
 import { frameIndex, scrubber, scrubToFrame, shownPlace, togglePlay } from "../workbench/scrubber";
 
-/** Scrubber along the path: one position for the 3D view, the plots and the numbers. */
-export function ScrubBar() {
+/** Scrubber along the path: one position for the 3D view, the plots and the numbers. `stale`: the places are of a body
+ * that is being replaced. */
+export function ScrubBar({ stale }: { stale: boolean }) {
   const state = useStore(scrubber);
   const last = state.frames.length - 1;
   const index = frameIndex(state);
@@ -34,7 +35,7 @@ export function ScrubBar() {
           onChange={(event) => scrubToFrame(event.currentTarget.valueAsNumber)}
         />
       </span>
-      <output className="scrub-pressure" data-testid="scrub-pressure">
+      <output className={stale ? "scrub-pressure stale" : "scrub-pressure"} title={stale ? "Of the body that is being replaced" : undefined} data-testid="scrub-pressure">
         {at === null ? "—" : grouped(at.toFixed(1).replace("-", "−"))}
         <span className="unit">{unit}</span>
       </output>

@@ -37,11 +37,12 @@ const CAMERAS: readonly { value: Camera; label: string; title: string }[] = [
 /** The 3D view with its controls above and the pressure scrubber below. */
 export function ViewerPanel() {
   useViewFeed();
+  const stale = useStaleness();
   return (
     <section className="viewer" aria-label="3D view">
       <Toolbar />
-      <Stage />
-      <ScrubBar />
+      <Stage stale={stale} />
+      <ScrubBar stale={stale} />
     </section>
   );
 }
@@ -101,15 +102,20 @@ function Toolbar() {
   );
 }
 
-function Stage() {
+/** Whether the body in view is not, or not yet, that of what is on the bench. */
+function useStaleness(): boolean {
+  const behind = usePick(view, isBehind);
+  const source = useSource();
+  const shape = useInstantShape();
+  return behind || (source === "instant" && shape !== null && !shape.fits);
+}
+
+function Stage({ stale }: { stale: boolean }) {
   const state = useStore(view);
   const lost = useStore(connection) === "lost";
   const drawn = useDrawn();
   const beyond = usePick(answers, (now) => now.instantProblem !== null) && drawn === null;
   const source = useSource();
-  const shape = useInstantShape();
-  // The body in view is not, or not yet, that of what is on the bench.
-  const stale = isBehind(state) || (source === "instant" && shape !== null && !shape.fits);
   return (
     <div className="stage" data-testid="viewer-stage" data-phase={state.phase} data-stale={stale}>
       {state.url && <Frame key={state.room} url={state.url} />}

@@ -24,6 +24,9 @@ export interface Answers {
   /** What is wrong with the design on the bench, from either question. */
   readonly designProblem: ProblemDetail | null;
   readonly sceneProblem: ProblemDetail | null;
+  /** What these two are about; differs from the bench while a mend of it is asked about. */
+  readonly refusedDesign: DesignDocument | null;
+  readonly refusedWork: Work | null;
   /** Why the instant model has no answer to a question that finite elements may answer. */
   readonly instantProblem: ProblemDetail | null;
   /** Loads that the instant model cannot carry: `result` does not hold them. */
@@ -41,6 +44,8 @@ const NOTHING: Answers = {
   checked: null,
   designProblem: null,
   sceneProblem: null,
+  refusedDesign: null,
+  refusedWork: null,
   instantProblem: null,
   leftOut: [],
   unreachable: false,
@@ -51,6 +56,12 @@ export const answers = new Store<Answers>(NOTHING);
 /** Whether the design or its load cannot be answered as it stands. */
 export function isRefused(now: Answers): boolean {
   return (now.designProblem ?? now.sceneProblem) !== null;
+}
+
+/** Whether the refusal is of what lay on the bench before: of what lies there now nobody knows yet. */
+export function isRefusalOutdated(now: Answers, work: Work): boolean {
+  if (now.designProblem !== null) return now.refusedDesign !== null && !sameDesign(now.refusedDesign, work.design);
+  return now.sceneProblem !== null && now.refusedWork !== null && !sameQuestion(now.refusedWork, work);
 }
 
 interface Question {
@@ -84,12 +95,13 @@ const predictions = new Lane<Question, Prediction>(
     }));
     checkNext();
   },
-  (_, error) => {
+  ({ work }, error) => {
     const problem = asProblem(error);
     const beyond = problem?.kind === "question";
     answers.update((now) => ({
       ...now,
       sceneProblem: beyond ? null : problem,
+      refusedWork: work,
       instantProblem: beyond ? problem : null,
       unreachable: problem === null,
     }));
@@ -101,9 +113,9 @@ const checks = new Lane<DesignDocument, DesignCheck>(
   (design) => take(api.POST("/api/designs/check", { body: { design } })),
   (design, check) =>
     answers.update((now) => ({ ...now, check, checked: design, designProblem: null, unreachable: false })),
-  (_, error) => {
+  (design, error) => {
     const problem = asProblem(error);
-    answers.update((now) => ({ ...now, designProblem: problem, unreachable: problem === null }));
+    answers.update((now) => ({ ...now, designProblem: problem, refusedDesign: design, unreachable: problem === null }));
   },
 );
 

@@ -4,6 +4,9 @@ import { afterEach, describe, expect, it } from "vitest";
 import { markUnreadable } from "../ui/drafts";
 import { answers } from "./answers";
 import { hindrance } from "./hindrance";
+import { pressureLoads } from "./loads";
+import { start } from "./timeline";
+import { bench, setLoads } from "./workbench";
 
 const FREE = answers.get();
 
@@ -20,5 +23,19 @@ describe("hindrance to saving and running", () => {
     mended();
     answers.set(FREE);
     expect(hindrance()).toBeNull();
+  });
+
+  it("is no mark to correct once the bench holds another value than the one refused, but the wait for its check", () => {
+    const work = { name: "Finger", design: { family: "slab", length_mm: 89 }, loads: pressureLoads(5000) };
+    const origin = { kind: "preset", preset: "slab", title: "Slab" } as const;
+    const sceneProblem = { field: "pressure", kind: "scene" as const, changes: [], message: "", value: "5000 kPa", mend: "" };
+    bench.set(start({ work, baseline: work, origin }));
+    answers.set({ ...FREE, sceneProblem, refusedWork: work });
+    expect(hindrance()).toBe("Correct the marked parameter first.");
+    setLoads("control", { control: "volume", volumeTo: 20 });
+    expect(hindrance()).toBe("The change is being checked.");
+    answers.set(FREE);
+    expect(hindrance()).toBeNull();
+    bench.set(null);
   });
 });
