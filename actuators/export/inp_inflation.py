@@ -4,7 +4,9 @@ CalculiX has no cavity of given volume. Where the pressure only rises (or only f
 the way to a volume, prescribing it instead leads the same way.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -53,11 +55,46 @@ def inflation_of(scene: Scene) -> Inflation:
     return Inflation(scene.pressure_to, (text,))
 
 
+@dataclass(frozen=True, eq=False)
+class SolvedPath:
+    """What a solve found on its way to a cavity of ``asked`` [m3]: ``volume`` [m3] and ``pressure``
+    [Pa], (k,) each; ``error``: estimated, of the tip, as a fraction."""
+
+    asked: float
+    volume: np.ndarray
+    pressure: np.ndarray
+    converged: bool
+    error: float | None
+
+    @classmethod
+    def of(cls, response: Response) -> "SolvedPath":
+        """The path of an answer."""
+        return cls(
+            response.scene.volume_to or 0.0,
+            np.array([point.cavity_volume or 0.0 for point in response.path]),
+            np.array([point.pressure for point in response.path]),
+            response.outcome is Outcome.CONVERGED,
+            response.error_estimate,
+        )
+
+    @classmethod
+    def of_document(cls, document: Mapping[str, Any]) -> "SolvedPath":
+        """The path of a stored answer (``Response.to_document``)."""
+        percent = document["error_estimate_percent"]
+        return cls(
+            1e-6 * document["scene"]["volume_ml"]["to"],
+            1e-6 * np.array([point["cavity_volume_ml"] for point in document["path"]]),
+            1e3 * np.array([point["pressure_kPa"] for point in document["path"]]),
+            document["outcome"] == Outcome.CONVERGED,
+            None if percent is None else percent / 100,
+        )
+
+
 def needs_a_solve() -> QuestionError:
     """The refusal of a deck for a volume where nothing is to be solved."""
     mend = (
-        "Write it with the command line (pneustudio export --what inp), which solves first, or "
-        "prescribe a pressure."
+        "Run 3D FE and take the deck from the saved version, write it with the command line "
+        "(pneustudio export --what inp), which solves first, or prescribe a pressure."
     )
     return QuestionError(
         "what is inp, and the scene prescribes a volume: CalculiX has no cavity of given volume, "
@@ -66,12 +103,11 @@ def needs_a_solve() -> QuestionError:
     )  # fmt: skip
 
 
-def inflation_found(response: Response) -> Inflation:
+def inflation_found(path: SolvedPath) -> Inflation:
     """The pressures of a solved path over the volume. Raises :class:`QuestionError` where the path
     ended early, or where a pressure belongs to more than one volume."""
-    volume = np.array([point.cavity_volume or 0.0 for point in response.path])
-    pressure = np.array([point.pressure for point in response.path])
-    asked = f"{1e6 * (response.scene.volume_to or 0.0):.4g} ml"
+    volume, pressure = path.volume, path.pressure
+    asked = f"{1e6 * path.asked:.4g} ml"
     if not len(pressure):
         raise _refused(f"the path to {asked} has no state", "Export vtu.")
     order = np.sign(volume[-1] - volume[0]) or 1.0
@@ -84,14 +120,12 @@ def inflation_found(response: Response) -> Inflation:
             "pressure leads past",
             f"Ask for a volume before {1e6 * volume[last]:.4g} ml, or export vtu.",
         )
-    if response.outcome is not Outcome.CONVERGED or len(pressure) < 2:
+    if not path.converged or len(pressure) < 2:
         raise _refused(
             f"the path to {asked} ended at {1e6 * volume[-1]:.4g} ml",
             f"Ask for a volume before {1e6 * volume[-1]:.4g} ml, or export vtu, which says more.",
         )
-    return Inflation(
-        float(pressure[-1]), _said(response, volume, pressure), _shares(volume, pressure)
-    )
+    return Inflation(float(pressure[-1]), _said(path), _shares(volume, pressure))
 
 
 def _shares(volume: np.ndarray, pressure: np.ndarray) -> tuple[tuple[float, float], ...]:
@@ -100,9 +134,11 @@ def _shares(volume: np.ndarray, pressure: np.ndarray) -> tuple[tuple[float, floa
     return tuple(zip((times + 0.0).tolist(), shares.tolist(), strict=True))
 
 
-def _said(response: Response, volume: np.ndarray, pressure: np.ndarray) -> tuple[str, ...]:
-    error = response.error_estimate
-    errors = "" if error is None else f" (its tip is off by an estimated {100 * error:.2g} %)"
+def _said(path: SolvedPath) -> tuple[str, ...]:
+    volume, pressure = path.volume, path.pressure
+    errors = (
+        "" if path.error is None else f" (its tip is off by an estimated {100 * path.error:.2g} %)"
+    )
     return (
         f"** The scene prescribes a cavity of {1e6 * volume[-1]:.6g} ml, which this program does "
         "not have: the",

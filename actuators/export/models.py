@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from actuators.design.base import Design
 from actuators.mechanics.scene import Scene
@@ -17,7 +17,8 @@ class ModelQuestion:
     """What a model file is made for. ``mesh``: a name or layers, see
     :mod:`actuators.mechanics.continuum.levels`; None takes "medium" for a deck and refines to
     ``accuracy`` for an answer. ``element``: type in an ``inp`` deck. ``solving``: whether a deck
-    may take a solve, which it needs where a scene prescribes a volume."""
+    may take a solve, which it needs where a scene prescribes a volume; ``solved``: that solve's
+    answer, as ``Response.to_document`` gives it, where there is one."""
 
     scene: Scene
     mesh: str | tuple[int, int, int] | None = None
@@ -26,6 +27,7 @@ class ModelQuestion:
     progress: "Callable[[Progress], None] | None" = None
     cancelled: Callable[[], bool] | None = None
     solving: bool = False
+    solved: Mapping[str, Any] | None = None
 
 
 def write_model(design: Design, what: str, question: ModelQuestion) -> dict[str, bytes]:
@@ -59,17 +61,22 @@ def _deck(design: Design, question: ModelQuestion) -> dict[str, bytes]:
 
 
 def _inflation(design: Design, question: ModelQuestion) -> "Inflation":
-    """The pressures that lead to a prescribed volume, solved for on the deck's mesh."""
-    from actuators.export.inp_inflation import inflation_found, needs_a_solve
+    """The pressures that lead to a prescribed volume: of the answer there is, else solved for on
+    the deck's mesh."""
+    from actuators.export.inp_inflation import SolvedPath, inflation_found, needs_a_solve
 
+    if question.solved is not None:
+        return inflation_found(SolvedPath.of_document(question.solved))
     if not question.solving:
         raise needs_a_solve()
     from actuators.mechanics.continuum.solve import solve
 
     return inflation_found(
-        solve(
-            design, question.scene, mesh=question.mesh or "medium",
-            progress=question.progress, cancelled=question.cancelled,
+        SolvedPath.of(
+            solve(
+                design, question.scene, mesh=question.mesh or "medium",
+                progress=question.progress, cancelled=question.cancelled,
+            )
         )
     )  # fmt: skip
 

@@ -71,7 +71,7 @@ def of_version(
     stem = _stem(store, version)
     if what == "mould-svg" or what == "actuator-stl" or what == "inp":
         design, scene = read_design(version.document), read_scene(version.scene)
-        name, media_type, body = _exported(design, scene, what, stem)
+        name, media_type, body = _exported(design, scene, what, stem, result)
     else:
         name = f"{stem}{_PART.get(what, '')}.{_KINDS[what].suffix}"
         media_type = _KINDS[what].media_type
@@ -109,7 +109,7 @@ def _reason(version: VersionRow, what: FileKind, result: ResultRow | None) -> st
     try:
         design, scene = read_design(version.document), read_scene(version.scene)
         if what == "inp":
-            _made(design, scene, what)
+            _made(design, scene, what, result)
     except InputError as error:
         return str(error)
     return unavailable(design).get(what, "")
@@ -160,22 +160,31 @@ def _of_result(store: Store, result: ResultRow | None, what: ResultKind) -> byte
 
 
 @lru_cache(maxsize=8)
-def _files(design: str, scene: str, what: ExportKind) -> dict[str, bytes]:
-    loads = None if scene == "null" else ModelQuestion(read_scene(json.loads(scene)))
+def _files(design: str, scene: str, what: ExportKind, solved: str) -> dict[str, bytes]:
+    loads = None
+    if scene != "null":
+        loads = ModelQuestion(read_scene(json.loads(scene)), solved=json.loads(solved))
     return write(parse_design(json.loads(design)), what, loads)
 
 
-def _made(design: Design, scene: Scene | None, what: ExportKind) -> dict[str, bytes]:
-    """Files by name; only a model depends on the scene."""
-    loads = scene.to_document() if scene is not None and what == "inp" else None
-    return _files(json.dumps(design.to_document()), json.dumps(loads), what)
+def _made(
+    design: Design, scene: Scene | None, what: ExportKind, result: ResultRow | None = None
+) -> dict[str, bytes]:
+    """Files by name; only a model depends on the scene, and only one for a volume on a result."""
+    loads = scene if what == "inp" else None
+    solved = None
+    if loads is not None and loads.volume_to is not None and result is not None:
+        solved = result.document
+    asked = None if loads is None else loads.to_document()
+    return _files(json.dumps(design.to_document()), json.dumps(asked), what, json.dumps(solved))
 
 
 def _exported(
-    design: Design, scene: Scene | None, what: ExportKind, stem: str
-) -> tuple[str, str, bytes]:
+    design: Design, scene: Scene | None, what: ExportKind, stem: str,
+    result: ResultRow | None = None,
+) -> tuple[str, str, bytes]:  # fmt: skip
     """File name, media type and bytes; several files come as one zip."""
-    files = _made(design, scene, what)
+    files = _made(design, scene, what, result)
     if len(files) == 1:
         return f"{stem}.{_KINDS[what].suffix}", _KINDS[what].media_type, next(iter(files.values()))
     return f"{stem}-{what}.zip", _ZIP, _zipped(files)

@@ -86,8 +86,11 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
         yield running
 
 
-def saved(client: TestClient, name: str = "Finger", design: dict[str, Any] = SLAB) -> Any:
+def saved(
+    client: TestClient, name: str = "Finger", design: dict[str, Any] = SLAB,
+    *, scene: dict[str, Any] = SCENE,
+) -> Any:  # fmt: skip
     """A design kept under a name; the version's document."""
-    answer = client.post("/api/designs", json={"name": name, "design": design, "scene": SCENE})
+    answer = client.post("/api/designs", json={"name": name, "design": design, "scene": scene})
     assert answer.status_code == 201, answer.text
     return answer.json()["version"]

@@ -2,7 +2,10 @@
 
 import io
 import zipfile
+from itertools import takewhile
 
+import numpy as np
+import pytest
 import trimesh
 from fastapi.testclient import TestClient
 
@@ -110,6 +113,33 @@ def test_a_model_comes_as_a_deck_of_its_scene(client: TestClient) -> None:
     body = {"design": SLAB, "scene": filled, "what": "inp"}
     assert client.post("/api/export", json=body).json()["detail"]["field"] == "volume_ml"
     assert client.post("/api/export", json={**body, "scene": None}).status_code == 422
+
+
+def test_a_deck_of_a_volume_holds_the_pressures_of_the_answer_there_is(
+    client: TestClient, store: Store
+) -> None:
+    loads = {"volume_ml": {"to": 14.0, "steps": 4}}
+    version = saved(client, "Filled", {**SLAB, "length_mm": 96}, scene=loads)
+    base = f"/api/versions/{version['id']}/files"
+    offered = {f["what"]: f for f in client.get(base).json()}
+    assert "Run 3D FE" in offered["inp"]["reason"]
+    assert client.get(f"{base}/inp").status_code == 422
+
+    job = client.post("/api/jobs", json={"version_id": version["id"]}).json()
+    solve(store, job["id"], rung="cell-rod")
+    path = client.get(f"/api/jobs/{job['id']}/result").json()["path"]
+    assert {f["what"]: f for f in client.get(base).json()}["inp"]["available"]
+    for query in ({}, {"job_id": job["id"]}):
+        lines = client.get(f"{base}/inp", params=query).text.splitlines()
+        at = lines.index("*AMPLITUDE, NAME=INFLATION")
+        pairs = ", ".join(takewhile(lambda line: line[:1].isdigit(), lines[at + 1 :]))
+        times, shares = np.array(pairs.split(", "), dtype=float).reshape(-1, 2).T
+        end = path[-1]["pressure_kPa"]
+        assert shares == pytest.approx([p["pressure_kPa"] / end for p in path], abs=1e-6)
+        volume = np.array([p["cavity_volume_ml"] for p in path])
+        assert times == pytest.approx((volume - volume[0]) / np.ptp(volume), abs=1e-6)
+        pressures = {float(line.split(",")[2]) for line in lines if ", P" in line}
+        assert max(pressures) == pytest.approx(end / 1e3, rel=1e-6)
 
 
 def test_a_family_that_is_not_cast_says_so_with_its_check(client: TestClient) -> None:

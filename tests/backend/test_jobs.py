@@ -15,12 +15,14 @@ from storage.response_arrays import pack
 from tests.backend.conftest import SLAB, saved
 
 
-def solve(store: Store, job_id: str, files: BodyFiles | None = None) -> None:
-    """What a worker does, with the instant model in the place of the solver."""
+def solve(
+    store: Store, job_id: str, files: BodyFiles | None = None, *, rung: str = "energy"
+) -> None:
+    """What a worker does, with an instant model in the place of the solver."""
     claimed = store.claim(job_id, worker="w", science_version=science_version())
     assert claimed is not None
     store.progress(job_id, claimed.attempt, fraction=0.5, message="half", pressure=20e3)
-    response = predict(parse_design(claimed.design), Scene.from_document(claimed.scene))
+    response = predict(parse_design(claimed.design), Scene.from_document(claimed.scene), rung=rung)
     document = response.to_document()
     assert store.finish(job_id, claimed.attempt, document, pack(response), files)
 

@@ -6,6 +6,7 @@ import signal
 import sqlite3
 import time
 from contextlib import closing
+from datetime import timedelta
 from typing import Any
 
 import pytest
@@ -13,7 +14,7 @@ from playwright.sync_api import Page, WebSocketRoute, expect
 
 from actuators.design import preset
 from storage import ClaimedJob, JobRow, Store, open_store
-from tests.end_to_end.conftest import number, picture
+from tests.end_to_end.conftest import downloaded, number, picture
 from tests.running_studio import Run
 from tests.worker.processes import processes_of
 
@@ -105,6 +106,8 @@ def test_a_job_whose_worker_is_lost_again_and_again_is_given_up(
     expect(end).to_contain_text("given up, its worker was lost again and again")
     expect(end).to_contain_text("Ask for a coarser accuracy or mesh")
     expect(end).to_contain_text("The shape in view is that of")
+    expect(page.get_by_test_id("show-part")).to_have_count(0)
+    expect(page.get_by_test_id(f"attempts-{job.id}")).to_have_text("in 3 attempts")
     picture(page, "9-worker-lost")
     page.get_by_test_id("path-end-close").click()
     expect(end).to_have_count(0)
@@ -127,7 +130,10 @@ def test_a_job_that_is_lost_shows_the_last_good_shape_of_the_part_found(
     expect(row).to_contain_text(re.compile(r"up to \S+ of 20 kPa, is kept"))
     end_of_path = page.get_by_test_id("path-end")
     expect(end_of_path).to_contain_text("given up, its worker was lost again and again")
-    page.get_by_test_id("viewer-source").get_by_text("FE").click()
+    # whoever comes to this address later has one click to it as well
+    page.reload()
+    page.get_by_test_id("show-part").click()
+    expect(page.get_by_test_id("viewer-source").get_by_label("FE")).to_be_checked()
     expect(end_of_path).to_have_attribute("data-outcome", "worker_lost")
     expect(end_of_path).to_contain_text(re.compile(r"3D FE: found up to \S+ of 20\.0 kPa"))
     expect(end_of_path).to_contain_text("The last point of the slider is the last good shape")
@@ -143,6 +149,7 @@ def held_by_nobody(store: Store, name: str) -> tuple[JobRow, ClaimedJob]:
         job = asked(store, name, LONG, length_mm=length_mm)
         claimed = store.claim(job.id, worker="nobody", science_version=job.science_version)
         if claimed is not None:
+            store.heartbeat(job.id, claimed.attempt, lease=timedelta(minutes=10))
             return job, claimed
     raise AssertionError("the studio's worker was faster thirty times")
 
@@ -166,6 +173,21 @@ def test_a_refused_job_says_what_to_mend(studio: Run, page: Page, store: Store) 
     picture(page, "9-refused")
 
 
+def test_a_job_that_takes_longer_than_expected_says_so(
+    studio: Run, page: Page, store: Store
+) -> None:
+    told = {"value": 0.2, "low": 0.1, "high": 1.5}
+    page.route(re.compile("/expected$"), lambda route: route.fulfill(json=told))
+    job, claimed = held_by_nobody(store, "Late")
+    row = opened(page, studio, job)
+    late = page.get_by_test_id(f"late-{job.id}")
+    expect(late).to_contain_text("Longer than expected (about 0.2 s)")
+    expect(row.locator(".job-elapsed")).to_have_attribute("title", re.compile("0.1 s and 1.5 s"))
+    picture(page, "9-late")
+    refuse(store, claimed)
+    expect(late).to_have_count(0)
+
+
 def test_an_end_between_the_first_list_and_the_live_channel_is_not_missed(
     studio: Run, page: Page, store: Store
 ) -> None:
@@ -179,3 +201,15 @@ def test_an_end_between_the_first_list_and_the_live_channel_is_not_missed(
     page.route_web_socket(re.compile("/api/live"), late)
     row = opened(page, studio, job)
     expect(row).to_have_attribute("data-state", "failed")
+
+
+def test_a_deck_of_a_volume_comes_with_the_answer_that_says_its_pressures(
+    studio: Run, page: Page, store: Store
+) -> None:
+    job = asked(
+        store, "Filled", {"volume_ml": {"to": 2.5, "steps": 2}}, chamber_count=2, length_mm=40
+    )
+    row = opened(page, studio, job)
+    expect(row).to_have_attribute("data-state", "done", timeout=120_000)
+    page.get_by_test_id("viewer-source").get_by_text("FE").click()
+    assert b"*AMPLITUDE, NAME=INFLATION" in downloaded(page, "inp")

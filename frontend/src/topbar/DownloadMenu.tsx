@@ -8,7 +8,6 @@ import { Icon } from "../ui/Icon";
 import { formatBytes, sentence } from "../ui/numbers";
 import { Popover } from "../ui/Popover";
 import { answers } from "../workbench/answers";
-import type { Loads } from "../workbench/loads";
 import { isChanged } from "../workbench/timeline";
 import { bench } from "../workbench/workbench";
 import { download } from "./download";
@@ -35,10 +34,10 @@ const RESULT: readonly Entry[] = [
   { what: "result-json", title: "Everything, JSON", text: "As the command line prints it" },
 ];
 
-/** What a deck cannot hold (`actuators/export/inp_inflation.py`); empty where it can be made. */
-function notInADeck(loads: Loads | null): string {
-  if (loads?.control !== "volume") return "";
-  return "A deck for a volume needs a solve first: write it with pneustudio export --what inp, or prescribe a pressure.";
+/** Why there is no deck (`actuators/export/inp_inflation.py`); empty where it can be made. A volume's holds the
+ * pressures of an answer. */
+function notInADeck(byVolume: boolean, answered: boolean): string {
+  return byVolume && !answered ? "A deck for a volume needs a solve first: save and run 3D FE, or prescribe a pressure." : "";
 }
 
 /** Files for making, for other solvers, and of the finite-element result. */
@@ -80,14 +79,20 @@ function Files({ onDone }: { onDone: () => void }) {
     const present = timeline?.present;
     return present?.origin.kind === "version" && !isChanged(present);
   });
-  const loads = usePick(bench, (timeline) => timeline?.present.work.loads ?? null);
+  const byVolume = usePick(bench, (timeline) => timeline?.present.work.loads.control === "volume");
   const fe = useShownFe();
   const noResult = fe && saved ? "" : "Save and run 3D FE first.";
   const body = fe && bodyEntry(fe.result);
   return (
     <div className="menu files-menu">
       <Section title="Make" entries={MAKE} reason={(what) => unavailable?.[what] ?? ""} onDone={onDone} />
-      <Section title="Simulate elsewhere" entries={SIMULATE} reason={() => notInADeck(loads)} onDone={onDone} />
+      <Section
+        title="Simulate elsewhere"
+        entries={SIMULATE}
+        reason={() => notInADeck(byVolume, fe !== null && saved)}
+        jobId={byVolume ? (fe?.job.id ?? null) : null}
+        onDone={onDone}
+      />
       <Section
         title={fe ? `Result of ${feLabel(fe.job)}` : "Result of 3D FE"}
         entries={body ? [body, ...RESULT] : RESULT}

@@ -37,7 +37,7 @@ function ask(what: FileKind, jobId: string | null) {
   const { origin, work } = snapshot;
   if (origin.kind === "version" && !isChanged(snapshot)) {
     const path = { version_id: origin.versionId, what };
-    const query = isMade(what) || jobId === null ? {} : { job_id: jobId };
+    const query = jobId === null ? {} : { job_id: jobId };
     return api.GET("/api/versions/{version_id}/files/{what}", { params: { path, query }, parseAs: "blob" });
   }
   if (!isMade(what)) throw new Error("Save and run 3D FE first.");
