@@ -15,7 +15,8 @@ def number(value: float | None, digits: int = 3) -> str:
         return "–"
     if abs(value) < 1e-9:
         return "0"
-    return f"{value:.{digits}g}"
+    short = f"{value:.{digits}g}"
+    return f"{float(short):.0f}" if "e+" in short else short
 
 
 def percent(value: float | None, digits: int = 2) -> str:
