@@ -1,6 +1,7 @@
 """One supervised command: started behind a guard, started again when it ends, ended for good."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -13,6 +14,7 @@ _GUARD = Path(__file__).with_name("guard.py")
 _FIRST_PAUSE_S, _LONGEST_PAUSE_S = 0.2, 10.0
 _SETTLED_S = 60.0  # a child that lived this long starts with a clean record
 _MOST_ENDINGS = 6  # in a row, none of them settled
+_KILLED = 128 + signal.SIGKILL  # by a person, or by a machine without memory: it can live
 _LOG_BYTES = 5_000_000
 
 
@@ -74,12 +76,13 @@ class Child:
             self._endings.clear()
         self._endings.append(code)
         self.ended()
-        if len(self._endings) >= _MOST_ENDINGS:
+        failures = [each for each in self._endings if each != _KILLED]
+        if len(failures) >= _MOST_ENDINGS:
             raise ChildGaveUpError(
-                f"{self.name} ended {len(self._endings)} times, last with code {code}. "
+                f"{self.name} ended {len(failures)} times, last with code {failures[-1]}. "
                 f"The end of {self.log}:\n{self._tail()}"
             )
-        pause = min(_FIRST_PAUSE_S * 2 ** (len(self._endings) - 1), _LONGEST_PAUSE_S)
+        pause = min(_FIRST_PAUSE_S * 2 ** min(len(self._endings) - 1, 20), _LONGEST_PAUSE_S)
         self._start_at = now + pause
         self.say(f"{self.name} ended with code {code}; starting it again (log: {self.log})")
 

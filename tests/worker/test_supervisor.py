@@ -122,3 +122,20 @@ def test_a_child_that_cannot_live_is_given_up_with_the_end_of_its_log(
     with pytest.raises(ChildGaveUpError, match=r"(?s)web ended 6 times.*code 1.*no page"):
         tend_for_ever()
     assert len(ended) == 6
+
+
+def test_a_child_that_is_killed_again_and_again_is_started_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("backend.supervisor.child._LONGEST_PAUSE_S", 0.1)
+    said: list[str] = []
+    command = [sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"]
+    child = Child("worker-1", command, {}, tmp_path / "worker.log", 1.0, say=said.append)
+    end = time.monotonic() + 60
+    while len(said) < 8:
+        assert time.monotonic() < end, said
+        child.tend()
+        time.sleep(0.01)
+    assert all("ended with code 137; starting it again" in each for each in said)
+    child.kill()
+    child.wait(10)
