@@ -78,6 +78,9 @@ def test_pick_a_model_by_error_and_time_and_force_an_effect(studio: Run, page: P
     expect(page.get_by_test_id("viewer-source").get_by_label("FE")).to_be_checked()
     # the answer is in view already: the message offers nothing more
     expect(page.get_by_test_id("toasts")).not_to_contain_text("Show in 3D")
+    # what its notes say of one number stands beside that number
+    stretch = page.get_by_test_id("caveat-fe-max_stretch")
+    expect(stretch).to_have_attribute("title", re.compile("inner edges .* grows with finer meshes"))
 
     # More pressure than there is an equilibrium for: the view says how far the path was found and
     # what to do, the ladder keeps the run as a point of the mesh that it was asked on.

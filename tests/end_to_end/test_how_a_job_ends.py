@@ -149,11 +149,11 @@ def test_a_job_that_is_lost_shows_the_last_good_shape_of_the_part_found(
 
 
 def held_by_nobody(
-    store: Store, name: str, mesh: str | None = "coarse"
+    store: Store, name: str, scene: dict[str, Any] = LONG, mesh: str | None = "coarse"
 ) -> tuple[JobRow, ClaimedJob]:
     """A job that no worker of the studio can take, for it has been taken."""
     for length_mm in range(130, 160):
-        job = asked(store, name, LONG, mesh=mesh, length_mm=length_mm)
+        job = asked(store, name, scene, mesh=mesh, length_mm=length_mm)
         claimed = store.claim(job.id, worker="nobody", science_version=job.science_version)
         if claimed is not None:
             store.heartbeat(job.id, claimed.attempt, lease=timedelta(minutes=10))
@@ -185,7 +185,7 @@ def test_a_job_that_takes_longer_than_expected_says_so(
 ) -> None:
     told = {"value": 0.2, "low": 0.1, "high": 1.5}
     page.route(re.compile("/expected$"), lambda route: route.fulfill(json=told))
-    job, claimed = held_by_nobody(store, "Late", mesh=None)
+    job, claimed = held_by_nobody(store, "Late", {"pressure_kPa": {"to": 20}}, mesh=None)
     row = opened(page, studio, job)
     late = page.get_by_test_id(f"late-{job.id}")
     expect(late).to_contain_text("Longer than expected (0.2 s)")

@@ -14,7 +14,7 @@ export function isLate(job: Pick<Job, "state">, elapsed: number | null, expected
 export interface Expectation {
   elapsed: number | null;
   expected: Seconds | null;
-  /** "Longer than expected (about 1.3 s)" once the upper end of the expectation is passed. */
+  /** "Longer than expected (1.3 s)" once the upper end of the expectation is passed. */
   late: string | null;
 }
 
@@ -22,7 +22,7 @@ export function useExpectation(job: Job | null): Expectation {
   const elapsed = useElapsed(job);
   const { data: expected = null } = useExpectedSeconds(job);
   const late = job !== null && expected !== null && isLate(job, elapsed, expected);
-  return { elapsed, expected, late: late ? `Longer than expected (about ${shortSeconds(expected.value)})` : null };
+  return { elapsed, expected, late: late ? `Longer than expected (${shortSeconds(expected.value)})` : null };
 }
 
 /** The same of a job that is known by its id only. */
