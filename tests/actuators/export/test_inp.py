@@ -165,7 +165,9 @@ def test_walls_are_paired_across_each_gap(name: str, gaps: int) -> None:
 def test_elements_are_right_handed_and_use_given_nodes_only(name: str, element: str) -> None:
     design = preset(name).design
     files = write(design, "inp", ModelQuestion(Scene(10e3), "coarse", element))
-    found = sections(files["model.inp"].decode())
+    text = files["model.inp"].decode()
+    assert ("Our own answers come from another element" in text) is (element == "C3D20R")
+    found = sections(text)
     nodes = {int(n): np.array([x, y, z], dtype=float) for n, x, y, z in
              (line.split(",") for line in found["*NODE, NSET=NALL"])}  # fmt: skip
     seen: set[int] = set()
