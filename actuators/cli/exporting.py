@@ -1,6 +1,7 @@
 """The command that writes files."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -73,11 +74,12 @@ def export(
     question = None
     with Interruptible() as interrupted:
         if pressure is not None or scene_file is not None:
-            given = {} if accuracy is None else {"accuracy": read_accuracy(accuracy)}
             question = ModelQuestion(
                 with_choices(read_scene(pressure, scene_file, None), choices), mesh, element,
-                progress=show_progress(), cancelled=interrupted, solving=True, **given,
+                progress=show_progress(), cancelled=interrupted, solving=True,
             )  # fmt: skip
+            if accuracy is not None:
+                question = replace(question, accuracy=read_accuracy(accuracy))
         made = {kind: write(chosen, kind, question) for kind in kinds}
     target = Path(folder)
     written: list[tuple[str, str, int]] = []
