@@ -121,7 +121,7 @@ def main() -> None:
     wanted = parser.parse_args()
     signal.signal(signal.SIGPROF, _hang)
     tally = Tally(wanted.rung)
-    solid = wanted.rung == "fe"
+    solid, whole = wanted.rung == "fe", wanted.rung in ("fe", "cell-rod")
 
     @seed(wanted.seed)
     @settings(
@@ -130,7 +130,7 @@ def main() -> None:
     )  # fmt: skip
     @given(
         design=wild_designs(most_chambers=3 if solid else 60),
-        scene=full_scenes() if solid else plain_scenes(),
+        scene=full_scenes() if whole else plain_scenes(),
     )
     def run(design: Design, scene: Scene) -> None:
         tally.ask(design, scene)

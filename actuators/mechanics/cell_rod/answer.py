@@ -45,8 +45,9 @@ from actuators.mechanics.rod.surroundings import (
 from actuators.mechanics.scene import Scene
 
 BENDING = 2
-VOLUME_ERROR, VOLUME_CORRECTIONS = 1e-7, 8
-"""Of a prescribed volume; corrections that may be made to come so near."""
+VOLUME_ERROR, VOLUME_CORRECTIONS, FUTILE = 1e-7, 8, 2
+"""Of a prescribed volume; corrections that may be made to come so near, and of these how many in a
+row may come no nearer: where a body jumps, no pressure gives the volumes it leaps over."""
 CRUSHED = 2.0
 """Strain at the body's top by what loads bend it, beyond which a chamber is no piece of a rod."""
 FEWEST = 5
@@ -58,12 +59,14 @@ AT_REST = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """A path and what it was made from. ``volume``: (k,) of the cavity [m3]."""
+    """A path and what it was made from. ``volume``: (k,) of the cavity [m3]; ``missed``: by how
+    much, as a fraction, it is not the volume prescribed."""
 
     pressures: np.ndarray
     path: LoadedPath
     chambers: Chambers
     volume: np.ndarray
+    missed: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -260,19 +263,26 @@ def _to_a_volume(question: Question, volume_to: float, steps: int) -> tuple[Solv
     short = not bool(within.all())
     if short:
         at = np.append(at, pressures[-1])
-    solved = question.solve(at)
+    solved = best = _off_by(question.solve(at), wanted[within])
+    futile = 0
     for _ in range(VOLUME_CORRECTIONS):
         count = min(len(solved.volume), int(within.sum()))
-        if count < 2 or _is_there(solved.volume[:count], wanted[:count]):
+        if count < 2 or solved.missed <= VOLUME_ERROR or futile == FUTILE:
             break
-        at[1:count] += (slope[:count] * (wanted[:count] - solved.volume[:count]))[1:]
-        at = np.clip(at, min(0.0, pressures[-1]), max(0.0, pressures[-1]))
-        solved = question.solve(at)
-    return solved, short
+        change = np.zeros_like(at)
+        change[1:count] = (slope[:count] * (wanted[:count] - solved.volume[:count]))[1:]
+        at = np.clip(at + change, min(0.0, pressures[-1]), max(0.0, pressures[-1]))
+        solved = _off_by(question.solve(at), wanted[within])
+        nearer = solved.missed < best.missed and len(solved.volume) >= len(best.volume)
+        best, futile = (solved, 0) if nearer else (best, futile + 1)
+    return best, short
 
 
-def _is_there(volume: np.ndarray, wanted: np.ndarray) -> bool:
-    return float(np.abs(volume - wanted).max()) <= VOLUME_ERROR * float(np.abs(wanted).max())
+def _off_by(solved: Solved, wanted: np.ndarray) -> Solved:
+    """The same, with what it misses of the volumes ``wanted`` (k,) as far as it comes."""
+    count = min(len(solved.volume), len(wanted))
+    apart = np.abs(solved.volume[:count] - wanted[:count]).max(initial=0.0)
+    return replace(solved, missed=float(apart / np.abs(wanted).max()))
 
 
 def _shear(layout: Layout, chambers: np.ndarray) -> np.ndarray:

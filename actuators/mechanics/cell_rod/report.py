@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 BENDING = 2
 AT_THE_LIMIT = 0.99
 """Share of the chambers' limit from which on the loads have no part in it."""
+UNMET = 1e-5
+"""Share of a prescribed volume that is not met of which a reader must know."""
 SHOWN = 0.03
 """Strain by loads that a reader of the largest stretch must know of."""
 
@@ -156,6 +158,11 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     trusted = trusted_to(question.design, question.paths, reached)
     if trusted is not None:
         notes.append(unlike(question, trusted))
+    if solved.missed > UNMET:
+        notes.append(
+            f"The volumes asked for are met to {100 * solved.missed:.2g} % only: under its loads "
+            "the body may jump from one shape to another there, with no pressure in between."
+        )
     if len(solved.path.strains):
         strain = float(bent_strains(question, solved).max())
         if strain > SHOWN:

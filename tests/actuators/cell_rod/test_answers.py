@@ -3,11 +3,13 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from actuators.design import PRESETS, preset
+from actuators.mechanics.cell_rod.answer import Question, Solved
 from actuators.mechanics.cell_rod.cells import row_paths
 from actuators.mechanics.obstacles import Cylinder, Plate
 from actuators.mechanics.predict import predict
@@ -152,6 +154,33 @@ def test_a_volume_is_reached() -> None:
     assert answer.path[-1].cavity_volume == pytest.approx(1.4 * rest, rel=1e-6)
     grown = np.diff([point.cavity_volume or 0.0 for point in answer.path])
     np.testing.assert_allclose(grown, grown.mean(), rtol=0.02)
+
+
+def test_volumes_that_a_body_leaps_over_are_approached_and_named(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As a bellows bent by a hundred times its weight over a cylinder does: corrections that go to
+    and fro end, the nearest path is kept with its own pressures, and a note says how near."""
+    asked: list[tuple[np.ndarray, np.ndarray]] = []
+    solve = Question.solve
+
+    def leaping(question: Question, pressures: np.ndarray) -> Solved:
+        found = solve(question, pressures)
+        leap = np.where(found.volume > 1.2 * found.volume[0], 0.02 * found.volume[0], 0.0)
+        asked.append((pressures.copy(), found.volume + leap))
+        return replace(found, volume=found.volume + leap)
+
+    monkeypatch.setattr(Question, "solve", leaping)
+    rest = ask(Scene(1e3, steps=1)).path[0].cavity_volume or 0.0
+    asked.clear()
+    answer = ask(Scene(volume_to=1.21 * rest, steps=3))
+    assert len(asked) < 6
+    assert any("volumes asked for are met to" in note for note in answer.notes)
+    assert any(
+        np.array_equal(pressures, [point.pressure for point in answer.path])
+        and np.array_equal(volume, [point.cavity_volume or 0.0 for point in answer.path])
+        for pressures, volume in asked
+    )
 
 
 def test_a_volume_beyond_the_limit_is_a_limit_point() -> None:
