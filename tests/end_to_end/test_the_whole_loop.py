@@ -3,8 +3,8 @@
 import io
 import os
 import re
-import time
 import signal
+import time
 import xml.etree.ElementTree as ElementTree
 import zipfile
 
