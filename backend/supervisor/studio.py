@@ -114,7 +114,9 @@ class Studio:
         def ended() -> None:
             try:
                 for job_id in self._store.release(name, lost=True):
-                    self._say(f"{label} was computing job {job_id}; it is queued again")
+                    again = self._store.get_job(job_id).active
+                    told = "it is queued again" if again else "it is given up"
+                    self._say(f"{label} was computing job {job_id}; {told}")
             except StoreAway:
                 self._say(f"{label}: the database does not answer; its lease will run out")
             self._store.close()

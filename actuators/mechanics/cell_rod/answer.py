@@ -23,12 +23,13 @@ from actuators.mechanics.cell_rod.cells import (
 from actuators.mechanics.cell_rod.chambers import Chambers, inflated, parting, reached
 from actuators.mechanics.cell_rod.grip import Grip, grip_of
 from actuators.mechanics.cell_rod.held import give, hold, turned
-from actuators.mechanics.cell_rod.pressed import force_estimate
+from actuators.mechanics.cell_rod.pressed import force_estimate, held_by
 from actuators.mechanics.cell_rod.report import (
     advice_of,
     bent_strains,
     cell_rod_effects,
     cell_rod_notes,
+    mostly_sag,
 )
 from actuators.mechanics.cell_rod.root import Root, root_of
 from actuators.mechanics.cell_rod.trust import BEYOND_TRUST, estimate, trusted_to
@@ -179,14 +180,16 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
     trusted = trusted_to(design, paths, solved.pressures[:found])
     suction = found > 0 and bool(solved.pressures[found - 1] < 0.0)
     sure = trusted is None and solved.path.loads == 1.0
-    expected = estimate(design, suction=suction) if sure else BEYOND_TRUST
+    expected = estimate(design, suction=suction) + held_by(question, solved)
+    expected = min(expected, BEYOND_TRUST) if sure else BEYOND_TRUST
     pressed = force_estimate(question, solved)
+    points = _points(question, solved)
     response = Response(
         design=design,
         scene=scene,
         rung="cell-rod",
         outcome=outcome,
-        path=_points(question, solved),
+        path=points,
         advice=advice,
         centreline=centreline(solved.path, layout.length),
         error_estimate=expected,
@@ -200,7 +203,11 @@ def answer(design: Design, scene: Scene, steps: int) -> Response:
         unknowns=sum(p.unknowns for p in paths) + 6 * len(layout.length),
         newton_iterations=solved.path.iterations + sum(a.iterations for a in (*paths, *changes)),
         effects=cell_rod_effects(question, solved),
-        notes=(*cell_rod_notes(question, solved), *{c.missing for c in changes if c.missing}),
+        notes=(
+            *cell_rod_notes(question, solved),
+            *{c.missing for c in changes if c.missing},
+            *mostly_sag(points, expected),
+        ),
         timings={"cell": celled - begun, "rod": ended - celled},
     )
     return replace(response, wall_s=time.perf_counter() - begun)

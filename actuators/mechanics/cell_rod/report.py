@@ -12,13 +12,18 @@ from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.row import row_cells
 from actuators.mechanics.cell_rod.chambers import is_sucked_empty
 from actuators.mechanics.cell_rod.pressed import force_estimate, is_against_the_clamp
-from actuators.mechanics.cell_rod.trust import NEAR_THE_LIMIT, trusted_to, unlike
-from actuators.mechanics.response import Effect, Outcome
+from actuators.mechanics.cell_rod.trust import (
+    BEYOND_TRUST,
+    NEAR_THE_LIMIT,
+    trusted_to,
+    unlike,
+)
+from actuators.mechanics.response import Effect, Outcome, PathPoint
 from actuators.mechanics.rod.effects import is_plain, weight_change
 from actuators.mechanics.rod.pieces import end_height
 from actuators.mechanics.rod.solve import weightless
 from actuators.mechanics.scene import Scene
-from actuators.quantities import kilopascals
+from actuators.quantities import kilopascals, two_digits
 
 if TYPE_CHECKING:
     from actuators.mechanics.cell_rod.answer import Question, Solved
@@ -171,15 +176,29 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
                 f"it by, about {100 * strain:.0f} % at its top, is not in it."
             )
     pressed = force_estimate(question, solved)
+    contact = solved.chambers.contact
+    if pressed is not None and contact is not None and (contact > 0.0).any():
+        notes.append(
+            "The largest contact pressure is that of neighbouring walls: what the body presses on "
+            "an obstacle with is not in it, and in 3D it is."
+        )
     if pressed is not None and is_against_the_clamp(question):
         notes.append(
             "An obstacle touches the body beside its clamp, where the rod feels none: in 3D the "
-            f"force on it was larger by up to {100 * pressed:.2g} %. Use the rung fe for it."
+            f"force on it was larger by up to {two_digits(100 * pressed)} %. Use the rung fe for "
+            "it."
         )
     depth = solved.path.penetration.max(initial=0.0)
     if depth > 2e-3 * question.design.length:
         notes.append(f"The rod enters an obstacle by up to {depth * 1e3:.2g} mm.")
     return tuple(notes)
+
+
+def mostly_sag(points: Sequence[PathPoint], expected: float) -> list[str]:
+    """That the ``expected`` error, a part of the tip's way, may exceed what inflation does."""
+    from actuators.mechanics.continuum.findings import sag_notes  # loads the 3D solver's kernels
+
+    return sag_notes(points, expected) if expected < BEYOND_TRUST else []
 
 
 def bent_strains(question: Question, solved: Solved) -> np.ndarray:

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from actuators.design import preset
+from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.predict import predict
 from actuators.mechanics.scene import Scene
 from benchmarks.cell_rod_suction import cases, compared, read
@@ -49,3 +51,41 @@ def test_bodies_of_five_and_six_chambers_stay_within_what_is_expected(
     assert answer.error_estimate is not None
     apart = np.linalg.norm(1e3 * np.array(answer.path[-1].tip_displacement) - in_3d)
     assert apart / np.linalg.norm(in_3d) < answer.error_estimate + 0.005
+
+
+@pytest.mark.parametrize(
+    ("gap", "in_3d"),
+    [(0.0, (0.562e-3, 0.0, -0.004e-3)), (3e-3, (0.466e-3, 0.0, -2.997e-3))],
+)
+def test_a_tip_held_by_a_plate_stays_within_what_is_expected(
+    gap: float, in_3d: tuple[float, float, float]
+) -> None:
+    """slab-rectangle-low at 5 kPa; 3D: medium mesh, within 7 and 2 % by its own estimate."""
+    design = preset("slab-rectangle-low").design
+    answer = predict(design, Scene(5e3, steps=5, plate=Plate(gap)), rung="cell-rod")
+    found = np.array(answer.path[-1].tip_displacement)
+    apart = np.linalg.norm(found - in_3d) / np.linalg.norm(in_3d)
+    assert answer.error_estimate is not None
+    assert apart < answer.error_estimate
+    assert answer.error_estimates["tip"] == answer.error_estimate
+    free = predict(design, Scene(5e3, steps=5, plate=Plate(50e-3)), rung="cell-rod")
+    assert free.error_estimate == predict(design, Scene(5e3), rung="cell-rod").error_estimate
+
+
+def test_a_single_chamber_stays_within_what_is_expected() -> None:
+    """31 % off 3D, whose own estimate is 2 %."""
+    design = preset("slab-rectangle-low").design.changed(chamber_count=1)
+    answer = predict(design, Scene(5e3, steps=5), rung="cell-rod")
+    assert answer.error_estimate is not None
+    assert answer.error_estimate > 0.33
+
+
+def test_it_says_where_the_error_may_exceed_what_inflation_does() -> None:
+    design = preset("slab-rectangle-low").design
+
+    def said(scene: Scene) -> bool:
+        notes = predict(design, scene, rung="cell-rod").notes
+        return any("of what inflation does" in note for note in notes)
+
+    assert said(Scene(-2e3, steps=4))
+    assert not said(Scene(5e3, steps=4, gravity=None))
