@@ -179,8 +179,8 @@ def cell_rod_notes(question: Question, solved: Solved) -> tuple[str, ...]:
     contact = solved.chambers.contact
     if pressed is not None and contact is not None and (contact > 0.0).any():
         notes.append(
-            "The largest contact pressure is that of neighbouring walls: what the body presses on "
-            "an obstacle with is not in it, and in 3D it is."
+            "The contact pressure is that of neighbouring walls: what the body presses on an "
+            "obstacle with is not in it, and in 3D it is."
         )
     if pressed is not None and is_against_the_clamp(question):
         notes.append(

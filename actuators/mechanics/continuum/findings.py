@@ -88,6 +88,16 @@ def sag_notes(points: Sequence[PathPoint], error: float | None) -> list[str]:
     ]
 
 
+def contact_notes(points: Sequence[PathPoint]) -> list[str]:
+    """What the largest contact pressure is worth, where surfaces press."""
+    if not any(point.max_contact_pressure for point in points):
+        return []
+    return [
+        "The contact pressure has no error estimate: the largest sits where edges press, and may "
+        "be several times another mesh's. Forces and shapes hardly depend on it."
+    ]
+
+
 def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[str]:
     """A note on cavity walls that suction has drawn through each other; ``openness`` (k,): their
     smallest distance over that at rest."""

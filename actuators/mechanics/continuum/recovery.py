@@ -19,6 +19,7 @@ from actuators.mechanics.continuum.contact.report import (
 from actuators.mechanics.continuum.estimates import JUDGED
 from actuators.mechanics.continuum.findings import (
     collapse_notes,
+    contact_notes,
     effects,
     left_out_notes,
     overlap_note,
@@ -89,7 +90,7 @@ def recover(
             notes += collapse_notes(points, least_openness(mesh, states))
     if note is not None:
         notes.append(note)
-    notes += sag_notes(points, answer.errors.get("tip"))
+    notes += sag_notes(points, answer.errors.get("tip")) + contact_notes(points)
     notes += unseen_notes(system, answer.path.points)
     notes += left_out_notes(plan)
     found = {**contact_findings(points, touching, note), **(came_of_it or {})}

@@ -1,7 +1,10 @@
-"""Notes on stretches that a material's record does not vouch for."""
+"""Notes on numbers that a reader must not take as they are."""
+
+from dataclasses import replace
 
 from actuators.materials import material
-from actuators.mechanics.continuum.findings import range_notes
+from actuators.mechanics.continuum.findings import contact_notes, range_notes
+from actuators.mechanics.response import PathPoint
 
 
 def test_leaving_the_stable_range_is_said_once() -> None:
@@ -21,3 +24,10 @@ def test_leaving_the_tested_range_comes_before_the_stable_one() -> None:
 
 def test_a_law_that_is_stable_everywhere_says_nothing() -> None:
     assert range_notes([material("ecoflex-00-30-neo-hooke")], [9.0]) == []
+
+
+def test_a_contact_pressure_carries_its_caveat() -> None:
+    free = PathPoint(1e3, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+    assert contact_notes([free, replace(free, max_contact_pressure=0.0)]) == []
+    (note,) = contact_notes([free, replace(free, max_contact_pressure=5e3)])
+    assert note.startswith("The contact pressure has no error estimate")
