@@ -27,7 +27,7 @@ def test_a_law_that_is_stable_everywhere_says_nothing() -> None:
 
 
 def test_a_contact_pressure_carries_its_caveat() -> None:
-    free = PathPoint(1e3, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+    free = PathPoint(1e3, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0)
     assert contact_notes([free, replace(free, max_contact_pressure=0.0)]) == []
     (note,) = contact_notes([free, replace(free, max_contact_pressure=5e3)])
     assert note.startswith("The contact pressure has no error estimate")
