@@ -22,6 +22,20 @@ const MESHES = [
   { value: "finest", label: "Finest mesh" },
 ] as const;
 
+/** What is known of the error of an answer on a mesh chosen by hand: finer ones are solved with the coarsest beside them. */
+export function onMesh(mesh: string): { text: string; title: string } {
+  if (mesh === "coarse") {
+    return {
+      text: "One mesh: no accuracy, its error is not estimated",
+      title: "An error is estimated from two meshes or more: take a finer mesh for an estimate, the mesh auto for an accuracy",
+    };
+  }
+  return {
+    text: "Its error is estimated from the coarsest mesh beside it",
+    title: "Both meshes are solved; how small the error gets is not asked for: take the mesh auto for an accuracy",
+  };
+}
+
 /** Sends what is on the bench to the queue, keeping it as a version first. */
 export function RunControl() {
   const wanted = useStore(accuracy);
@@ -46,8 +60,8 @@ export function RunControl() {
           <Segmented label="Accuracy" options={ACCURACIES} value={wanted} onChange={accuracy.set} testId="accuracy" />
         </>
       ) : (
-        <span className="muted" data-testid="no-accuracy" title="An error is estimated from two meshes or more: take the mesh auto for an accuracy">
-          One mesh: no accuracy, its error is not estimated
+        <span className="muted" data-testid="no-accuracy" title={onMesh(mesh).title}>
+          {onMesh(mesh).text}
         </span>
       )}
       <Select label="Mesh" value={mesh} options={MESHES} onChange={setMesh} testId="mesh" />

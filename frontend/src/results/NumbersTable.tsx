@@ -1,14 +1,14 @@
 import type { Result } from "../api/types";
 import { valueAt } from "../charts/curve";
 import { Icon } from "../ui/Icon";
-import { formatPercent, formatQuantity } from "../ui/numbers";
+import { decimalsOf, formatPercent, formatQuantity, formatUncertainty } from "../ui/numbers";
 import { MathSymbol } from "../ui/Symbol";
 import type { Control } from "../workbench/loads";
 import { modelName } from "../workbench/model";
 import { caveatOf, PRESSURE, QUANTITIES, type Quantity } from "./quantities";
 import { reached, within } from "./reached";
 import type { ShownFe } from "./shown";
-import { uncertainty } from "./uncertainty";
+import { uncertainty, type Uncertainty } from "./uncertainty";
 import { beyondInWords, kPa, placeInWords } from "./words";
 
 interface NumbersTableProps {
@@ -134,7 +134,7 @@ function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control
       className={fe.matches ? "" : "faded"}
       title={knows(fe.result, quantity) ? undefined : "not computed by 3D FE"}
     >
-      {shown(valueAt(fe.result, place, quantity.value, control), quantity)}
+      {shown(valueAt(fe.result, place, quantity.value, control), quantity, uncertainty(fe.result, quantity, place, control))}
       {knows(fe.result, quantity) && <Caveat result={fe.result} quantity={quantity} />}
     </td>
   );
@@ -146,7 +146,7 @@ function EstimateCell(props: { fe: ShownFe; quantity: Quantity; place: number; c
   const title = off === null ? undefined : `${formatPercent(off.percent)} of ${off.of}`;
   return (
     <td className="estimate" data-testid={`estimate-${quantity.name}`} title={title}>
-      {off === null ? "" : formatQuantity(off.size, 2)}
+      {off === null ? "" : formatUncertainty(off.size)}
     </td>
   );
 }
@@ -155,14 +155,15 @@ function EstimateCell(props: { fe: ShownFe; quantity: Quantity; place: number; c
 function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | null | undefined }) {
   const limit = props.fe.result.limit_pressure_kPa;
   if (limit === null) return null;
+  const off = typeof props.estimate === "number" ? (limit * props.estimate) / 100 : null;
   return (
     <tr className="limit" title={`There is no equilibrium above ${kPa(limit)}: beyond it the actuator grows by itself.`}>
       <th scope="row">Limit pressure</th>
       {props.instant && <td>—</td>}
-      <td data-testid="number-fe-limit_pressure">{formatQuantity(limit, 4)}</td>
+      <td data-testid="number-fe-limit_pressure">{formatQuantity(limit, 4, off === null ? 0 : decimalsOf(off))}</td>
       {props.estimate !== undefined && (
         <td className="estimate" title={props.estimate === null ? undefined : formatPercent(props.estimate)}>
-          {props.estimate === null ? "" : formatQuantity((limit * props.estimate) / 100, 2)}
+          {off === null ? "" : formatUncertainty(off)}
         </td>
       )}
       <td className="unit">kPa</td>
@@ -174,7 +175,8 @@ function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | nul
 const STILL = 5e-4;
 const OF_THE_SHAPE = ["mm", "°", "1/m"];
 
-function shown(value: number | null, { unit }: Quantity): string {
+/** With at least the decimals of the ± beside it. */
+function shown(value: number | null, { unit }: Quantity, off: Uncertainty | null = null): string {
   const still = value !== null && Math.abs(value) < STILL && OF_THE_SHAPE.includes(unit);
-  return formatQuantity(still ? 0 : value, 4);
+  return formatQuantity(still ? 0 : value, 4, off === null ? 0 : decimalsOf(off.size));
 }

@@ -16,14 +16,31 @@ export function grouped(text: string): string {
   return text.replace(/^[−-]?\d{5,}/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, "\u202f"));
 }
 
-/** A quantity to read: fixed decimals by size, a dash where there is none. */
-export function formatQuantity(value: number | null | undefined, digits = 3): string {
+/** Decimals that anybody reads of a quantity. */
+const MOST_DECIMALS = 4;
+
+/** Decimals that show a ±'s first digit, and its second from 1 to 10. */
+export function decimalsOf(size: number): number {
+  if (!Number.isFinite(size) || size <= 0 || size >= 9.95) return 0;
+  return Math.min(MOST_DECIMALS, Math.max(1, -Math.floor(Math.log10(size))));
+}
+
+/** A ± to read, whose first digit always shows: "0.005", "0.3", "1.2", "12". */
+export function formatUncertainty(size: number): string {
+  if (!Number.isFinite(size)) return "—";
+  const least = Number((10 ** -MOST_DECIMALS).toPrecision(1));
+  if (size > 0 && size < least) return `< ${least}`;
+  return grouped(size.toFixed(decimalsOf(size)));
+}
+
+/** A quantity to read: fixed decimals by size and at least as many as asked for, a dash where there is none. */
+export function formatQuantity(value: number | null | undefined, digits = 3, leastDecimals = 0): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "—";
   // What a solver leaves of a zero is a zero to read.
   const size = Math.abs(value) < 1e-6 ? 0 : Math.abs(value);
   if (size !== 0 && (size >= 1e7 || size < 1e-3)) return value.toExponential(digits - 1).replace("-", "−");
   const whole = size >= 1 ? Math.floor(Math.log10(size)) + 1 : 1;
-  const decimals = Math.max(0, Math.min(4, digits - whole));
+  const decimals = Math.max(leastDecimals, Math.min(MOST_DECIMALS, digits - whole));
   const text = value.toFixed(decimals);
   return grouped((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−"));
 }

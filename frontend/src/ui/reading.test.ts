@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { formatNumber, formatQuantity, formatSeconds, grouped, parseNumber, sentence } from "./numbers";
+import { decimalsOf, formatNumber, formatQuantity, formatSeconds, formatUncertainty, grouped, parseNumber, sentence } from "./numbers";
 import { parseQuantity } from "./quantity";
 import { subscript, symbolParts } from "./symbols";
 
@@ -11,6 +11,13 @@ describe("numbers", () => {
     expect(formatQuantity(9999)).toBe("9999");
     expect(grouped("115.34567")).toBe("115.34567");
     expect(grouped("10000.5")).toBe("10\u202f000.5");
+  });
+
+  it("show at least one digit of what they may be off by, and as many decimals themselves", () => {
+    const sizes = [0, 4e-6, 0.0004, 0.0052, 0.0301, 0.27, 0.97, 1.04, 9.97, 12.3, 340];
+    expect(sizes.map(formatUncertainty)).toEqual(["0", "< 0.0001", "0.0004", "0.005", "0.03", "0.3", "1.0", "1.0", "10", "12", "340"]);
+    expect(formatQuantity(0.2741, 4, decimalsOf(0.0052))).toBe("0.274");
+    expect(formatQuantity(86.0412, 4, decimalsOf(0.0052))).toBe("86.041");
   });
 
   it("are read with point or comma, and nothing else is a number", () => {
