@@ -32,6 +32,9 @@ export function Picks({ ladder, stale }: { ladder: Ladder; stale: boolean }) {
   );
 }
 
+/** Upper end of a range over what is expected, from which on a pick names it. */
+const FAR = 1.5;
+
 interface PickProps {
   name: keyof Limits;
   unit: string;
@@ -79,9 +82,15 @@ function Pick({ name, unit, label, value, why, point, stale }: PickProps) {
 export function beside(limit: keyof Limits, point: LadderPoint): string {
   const { seconds } = point;
   const error = limit === "seconds" ? errorOf(point) : "";
-  if (!isThere(point)) return limit === "seconds" || !seconds ? error : `~ ${shortSeconds(seconds.value)}`;
+  if (!isThere(point)) return [error, seconds ? expected(seconds) : ""].filter(Boolean).join(", ");
   const there = `there already${seconds ? `, ${shortSeconds(seconds.value)}` : ""}`;
   return [error, there.replaceAll(" ", "\u00a0")].filter(Boolean).join(", ");
+}
+
+/** "~ 9.9 s (to 1.6 min)": with the upper end of its range where that is far off. */
+function expected({ value, high }: NonNullable<LadderPoint["seconds"]>): string {
+  const far = high > FAR * value ? ` (to ${shortSeconds(high)})` : "";
+  return `~ ${shortSeconds(value)}${far}`.replaceAll(" ", "\u00a0");
 }
 
 /** Whether its answer costs nothing more: it has run, or another's answer stands for it. */

@@ -52,8 +52,9 @@ describe("points of the ladder", () => {
 
   it("are named beside a limit, and whether their answer is there already", () => {
     const words = (limit: "percent" | "seconds", change: Partial<LadderPoint>) => beside(limit, point(change)).replaceAll("\u00a0", " ");
-    expect(words("percent", {})).toBe("~ 12 s");
-    expect(words("seconds", {})).toBe("up to 5 %");
+    expect(words("percent", {})).toBe("~ 12 s (to 25 s)");
+    expect(words("seconds", {})).toBe("up to 5 %, ~ 12 s (to 25 s)");
+    expect(words("percent", { seconds: { value: 12, low: 10, high: 15 } })).toBe("~ 12 s");
     const there = { state: "measured", seconds: range(46), error_percent: range(3, 0, 3) } as const;
     expect(words("percent", there)).toBe("there already, 46 s");
     expect(words("seconds", there)).toBe("up to 3 %, there already, 46 s");
