@@ -6,6 +6,7 @@ from itertools import pairwise, takewhile
 import numpy as np
 
 from actuators.materials import Material
+from actuators.mechanics.continuum.cavity_gap import closes_at
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sheets import wrinkle_note
@@ -101,13 +102,13 @@ def contact_notes(points: Sequence[PathPoint]) -> list[str]:
 def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[str]:
     """A note on cavity walls that suction has drawn through each other; ``openness`` (k,): their
     smallest distance over that at rest."""
-    closed = np.flatnonzero(openness < 0.0)
-    if len(closed) == 0:
+    pressure = closes_at(np.array([point.pressure for point in points]), openness)
+    volume = closes_at(np.array([point.cavity_volume or 0.0 for point in points]), openness)
+    if pressure is None or volume is None:
         return []
-    first = points[int(closed[0])]
     return [
-        f"Walls of the cavity run through each other from {kilopascals(first.pressure, 3)} kPa "
-        f"({1e6 * (first.cavity_volume or 0.0):.3g} ml) on: there is no contact inside the "
+        f"Walls of the cavity run through each other from about {kilopascals(pressure, 2)} kPa "
+        f"({1e6 * volume:.2g} ml) on: there is no contact inside the "
         "cavity here, and from there on the result is not physical."
     ]
 

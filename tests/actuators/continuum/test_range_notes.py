@@ -2,7 +2,11 @@
 
 from dataclasses import replace
 
+import numpy as np
+import pytest
+
 from actuators.materials import material
+from actuators.mechanics.continuum.cavity_gap import closes_at
 from actuators.mechanics.continuum.findings import contact_notes, range_notes
 from actuators.mechanics.response import PathPoint
 
@@ -31,3 +35,11 @@ def test_a_contact_pressure_carries_its_caveat() -> None:
     assert contact_notes([free, replace(free, max_contact_pressure=0.0)]) == []
     (note,) = contact_notes([free, replace(free, max_contact_pressure=5e3)])
     assert note.startswith("The contact pressure has no error estimate")
+
+
+def test_walls_meet_where_they_do_whatever_the_points_of_the_path() -> None:
+    for count in (3, 5, 21):
+        pressures = np.linspace(0.0, -4e3, count)
+        assert closes_at(pressures, 1.0 + pressures / 2.5e3) == pytest.approx(-2.5e3)
+    assert closes_at(np.array([0.0, -1e3]), np.array([1.0, 0.5])) is None
+    assert closes_at(np.array([0.0, -1e3]), np.array([-0.1, -0.5])) == 0.0

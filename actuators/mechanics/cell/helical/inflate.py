@@ -14,7 +14,7 @@ from actuators.mechanics.cell.helical.overlap import WallGap
 from actuators.mechanics.cell.helical.system import CellSystem
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.periodic import CellMesh, coarse_mesh
-from actuators.mechanics.continuum.cavity_gap import least_openness
+from actuators.mechanics.continuum.cavity_gap import closes_at, least_openness
 from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.continuum.surface_fields import StrainRecovery
 
@@ -82,11 +82,11 @@ def _emptied(points: list[Point], system: CellSystem) -> list[str]:
     if not points or points[-1].pressure >= 0.0:
         return []
     open_by = least_openness(system.domain.mesh, [p.state.nodes for p in points])
-    closed = np.flatnonzero(open_by < 0.0)
-    if len(closed) == 0:
+    begins = closes_at(np.array([p.pressure for p in points]), open_by)
+    if begins is None:
         return []
     return [
-        f"Walls of the chamber run through each other from {points[closed[0]].pressure / 1e3:.3g} "
+        f"Walls of the chamber run through each other from about {begins / 1e3:.2g} "
         "kPa on: there is no contact inside the cavity here, and from there on the result is not "
         "physical."
     ]
