@@ -43,6 +43,12 @@ describe("points of the ladder", () => {
     expect(about(point({}), []).join(" ")).toContain("about 12 s, four of five jobs between 6 s and 25 s");
   });
 
+  it("say that the cell and rod may be anywhere where its estimate is all of the way", () => {
+    const rod = (value: number) => about(point({ rung: "cell-rod", state: "measured", error_kind: "own estimate", error_percent: range(value) }), [])[0];
+    expect(rod(5)).toBe("Tip's error: at most 5 % by its own estimate.");
+    expect(rod(100)).toBe("Tip's error: it may be anywhere by its own estimate.");
+  });
+
   it("say why one is refused, and name a failed job as one to be run again", () => {
     expect(about(refused, [])).toEqual(["Plate is 5 mm away."]);
     expect(actionOf(refused)).toBe("");

@@ -91,6 +91,7 @@ export function errorInWords(point: LadderPoint): string {
     return `${value} from the best answer so far (${inWords(point.error_source ?? "")})${at}; with that one's own error at most ${formatPercent(error.high)}`;
   }
   if (error.high > MOST) return value;
+  if (kind === "own estimate" && point.rung === "cell-rod" && error.value >= 100) return "it may be anywhere by its own estimate";
   if (kind === "own estimate") return `at most ${value} by its own estimate`;
   if (kind === "typical") return `typically ${value}; below ${formatPercent(error.high)} for four of five such designs`;
   return `at most ${value}, asked for`;

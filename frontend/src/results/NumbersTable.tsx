@@ -30,18 +30,28 @@ function listed(instant: Result | null, fe: ShownFe | null, control: Control): Q
   return control === "volume" ? [PRESSURE, ...usual] : usual;
 }
 
+function isEstimated(result: Result | null | undefined): boolean {
+  return Object.keys(result?.error_estimates_percent ?? {}).length > 0;
+}
+
 /** Every quantity at the scrubber's place on the path. */
 export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
   const any = instant ?? fe?.result;
   const place = at ?? (any ? reached(any, control) : null) ?? 0;
   const estimates = fe?.result.error_estimates_percent ?? {};
-  const estimated = Object.keys(estimates).length > 0;
+  const estimated = isEstimated(fe?.result);
+  const instantEstimated = isEstimated(instant);
   return (
     <table className="numbers" data-testid="numbers">
       <thead>
         <tr>
           <th scope="col">Quantity</th>
           {instant && <InstantHead result={instant} place={place} control={control} />}
+          {instantEstimated && (
+            <th scope="col" title="Error that the model expects of its answer, in the unit of its row">
+              ±
+            </th>
+          )}
           {fe && <FeHead fe={fe} control={control} place={place} />}
           {estimated && (
             <th scope="col" title="Estimated error of the finite-element answer, from nested meshes, in the unit of its row">
@@ -58,14 +68,17 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
               {quantity.label} <MathSymbol symbol={quantity.symbol} />
             </th>
             {instant && <InstantCell result={instant} quantity={quantity} place={place} control={control} />}
+            {instant && instantEstimated && (
+              <EstimateCell result={instant} quantity={quantity} place={place} control={control} testId={`estimate-${instant.rung}-${quantity.name}`} />
+            )}
             {fe && <FeCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />}
             {estimated && fe && (
-              <EstimateCell fe={fe} quantity={quantity} place={within(fe.result, place, control)} control={control} />
+              <EstimateCell result={fe.result} quantity={quantity} place={within(fe.result, place, control)} control={control} testId={`estimate-${quantity.name}`} />
             )}
             <td className="unit">{quantity.unit}</td>
           </tr>
         ))}
-        {fe && <LimitRow fe={fe} instant={instant !== null} estimate={estimated ? (estimates.limit_pressure ?? null) : undefined} />}
+        {fe && <LimitRow fe={fe} before={(instant ? 1 : 0) + (instantEstimated ? 1 : 0)} estimate={estimated ? (estimates.limit_pressure ?? null) : undefined} />}
       </tbody>
     </table>
   );
@@ -92,7 +105,7 @@ function InstantCell({ result, quantity, place, control }: InstantProps & { quan
   const beyond = beyondInWords(result, place, control);
   return (
     <td className={beyond === undefined ? "" : "faded"} title={beyond} data-testid={`number-${quantity.name}`}>
-      {shown(value, quantity)}
+      {shown(value, quantity, uncertainty(result, quantity, place, control))}
       {value !== null && <Caveat result={result} quantity={quantity} />}
     </td>
   );
@@ -140,26 +153,28 @@ function FeCell(props: { fe: ShownFe; quantity: Quantity; place: number; control
   );
 }
 
-function EstimateCell(props: { fe: ShownFe; quantity: Quantity; place: number; control: Control }) {
-  const { fe, quantity, place, control } = props;
-  const off = uncertainty(fe.result, quantity, place, control);
+function EstimateCell(props: { result: Result; quantity: Quantity; place: number; control: Control; testId: string }) {
+  const { result, quantity, place, control } = props;
+  const off = uncertainty(result, quantity, place, control);
   const title = off === null ? undefined : `${formatPercent(off.percent)} of ${off.of}`;
   return (
-    <td className="estimate" data-testid={`estimate-${quantity.name}`} title={title}>
+    <td className="estimate" data-testid={props.testId} title={title}>
       {off === null ? "" : formatUncertainty(off.size)}
     </td>
   );
 }
 
-/** The pressure's maximum, where the path met one. `estimate` [%] is undefined without that column. */
-function LimitRow(props: { fe: ShownFe; instant: boolean; estimate: number | null | undefined }) {
+/** The pressure's maximum, where the path met one. `before`: columns of the instant answer; `estimate` [%] is undefined
+ * without that column. */
+function LimitRow(props: { fe: ShownFe; before: number; estimate: number | null | undefined }) {
   const limit = props.fe.result.limit_pressure_kPa;
   if (limit === null) return null;
   const off = typeof props.estimate === "number" ? (limit * props.estimate) / 100 : null;
   return (
     <tr className="limit" title={`There is no equilibrium above ${kPa(limit)}: beyond it the actuator grows by itself.`}>
       <th scope="row">Limit pressure</th>
-      {props.instant && <td>—</td>}
+      {props.before > 0 && <td>—</td>}
+      {props.before > 1 && <td />}
       <td data-testid="number-fe-limit_pressure">{formatQuantity(limit, 4, off === null ? 0 : decimalsOf(off))}</td>
       {props.estimate !== undefined && (
         <td className="estimate" title={props.estimate === null ? undefined : formatPercent(props.estimate)}>

@@ -1,6 +1,6 @@
 /** Which instant answer the plots and numbers show. */
 import { useStore, usePick } from "../api/store";
-import type { Result } from "../api/types";
+import type { LeftOut, Result } from "../api/types";
 import { answers, type Answers } from "../workbench/answers";
 import { sameQuestion, type Work } from "../workbench/document";
 import { modelChoice, type ModelChoice, type TypicalErrors } from "../workbench/model";
@@ -12,6 +12,8 @@ export interface Drawn {
   /** The question that it answers. */
   answered: Work;
   typical: TypicalErrors;
+  /** Loads of the scene that it does not hold. */
+  leftOut: readonly LeftOut[];
   totalMs: number | null;
   /** The answer that it has replaced; kept in the plots, paler. */
   replaced: Result | null;
@@ -28,12 +30,14 @@ export function drawnOf(now: Answers, finer: Refined, work: Work | null, choice:
       result: prediction.result,
       answered,
       typical: prediction.typical_errors,
+      leftOut: prediction.left_out,
       totalMs: prediction.timings_ms.total ?? null,
       replaced: now.answered !== null && sameQuestion(now.answered, work) ? moving : null,
     };
   }
   if (moving === null || now.answered === null) return null;
-  return { result: moving, answered: now.answered, typical: now.typical, totalMs: now.totalMs, replaced: null };
+  const { answered: asked, typical, leftOut, totalMs } = now;
+  return { result: moving, answered: asked, typical, leftOut, totalMs, replaced: null };
 }
 
 export function useDrawn(): Drawn | null {

@@ -7,7 +7,7 @@ export interface Quantity {
   symbol: string;
   unit: string;
   help: string;
-  /** Key of the finite-element error estimate that holds for it. */
+  /** Key of the error estimate that holds for it. */
   estimate?: "tip" | "angle" | "force" | "volume";
   /** Listed only where an answer knows it. */
   rare?: boolean;

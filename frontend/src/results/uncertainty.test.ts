@@ -42,6 +42,12 @@ describe("an estimated error", () => {
     expect(uncertainty(answer, named(name), place, "pressure")?.size).toBeCloseTo(size, 12);
   });
 
+  it("is told of the cell and rod's force as well, however large it is", () => {
+    const rod: Result = { ...answer, rung: "cell-rod", error_estimates_percent: { tip: 5, force: 110 } };
+    expect(uncertainty(rod, named("plate_force"), 10, "pressure")).toMatchObject({ of: "the force", percent: 110 });
+    expect(uncertainty(rod, named("tip_rotation"), 10, "pressure")).toBeNull();
+  });
+
   it("is not known of what symmetry keeps at 0, nor of what is not estimated", () => {
     expect(uncertainty(answer, named("tip_2"), 10, "pressure")).toBeNull();
     expect(uncertainty(answer, named("curvature"), 10, "pressure")).toBeNull();

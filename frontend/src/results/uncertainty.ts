@@ -1,4 +1,4 @@
-/** Estimated errors of a finite-element answer in the units of what they belong to. */
+/** Estimated errors of an answer in the units of what they belong to. */
 import { valueAt } from "../charts/curve";
 import type { PathPoint, Result } from "../api/types";
 import type { Control } from "../workbench/loads";
