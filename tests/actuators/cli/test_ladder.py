@@ -153,3 +153,12 @@ def test_an_effect_is_forced_as_in_predict() -> None:
     assert free["scene"]["effects"] == {"gravity": "off"}
     tips = [by_label(d)["energy"]["tip_displacement_mm"] for d in (free, heavy)]
     assert tips[0] != tips[1]
+
+
+def test_the_best_of_answers_that_are_worth_little_says_so() -> None:
+    (words,) = [
+        line
+        for line in run(*SMALL, "--pressure=-6kPa", "--run", "none").stdout.splitlines()
+        if line.startswith("Best answer so far")
+    ]
+    assert "cell-rod, which may be anywhere there by its own estimate" in words
