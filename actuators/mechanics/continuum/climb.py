@@ -1,6 +1,7 @@
 """From the path on the coarsest mesh to an answer as accurate as asked for."""
 
 from collections.abc import Sequence
+from itertools import count
 
 from actuators.geometry import Body
 from actuators.mechanics.continuum.estimates import JUDGED, change, estimates, measure
@@ -89,11 +90,18 @@ class Climb:
         def watch(share: float) -> None:
             self._monitor.report(base + (LAST_SHARE - base) * share, message)
 
+        taken = count(1)
+
+        def stop() -> Outcome | None:  # asked before every iteration, which may take seconds
+            reason = self._monitor.stop()
+            if reason is None:
+                self._monitor.report(base, f"{message}, iteration {next(taken)}")
+            return reason
+
         fine = open_level(mesh, self._scene)
         return Refinement(
-            coarse.system, fine.system, fine.solver, path, shared=shared,
-            stop=self._monitor.stop, watch=watch,
-        )  # fmt: skip
+            coarse.system, fine.system, fine.solver, path, shared=shared, stop=stop, watch=watch
+        )
 
     def _beyond(self, refinement: Refinement, anchor: Anchor | None) -> Path | None:
         if anchor is None:
