@@ -46,7 +46,7 @@ export function shortName(point: Pick<LadderPoint, "rung" | "label">): string {
 
 /** A label as the API writes it, as people read it: for the rungs that sentences name. */
 export function inWords(text: string): string {
-  return text.replace(/\bfe (?=\d)/g, "FE ").replace(/\bcell-rod\b/g, "cell + rod").replace(/\bclosed-form\b/g, "closed form");
+  return text.replace(/\bfe (?=\d|\w+ mesh\b)/g, "FE ").replace(/\bcell-rod\b/g, "cell + rod").replace(/\bclosed-form\b/g, "closed form");
 }
 
 /** Whether it has run and its path ended before what was asked for; a limit point is an end of its own. */

@@ -42,7 +42,7 @@ export function NumbersTable({ instant, fe, control, at }: NumbersTableProps) {
   const estimated = isEstimated(fe?.result);
   const instantEstimated = isEstimated(instant);
   return (
-    <table className="numbers" data-testid="numbers">
+    <table className={estimated && instantEstimated ? "numbers tight" : "numbers"} data-testid="numbers">
       <thead>
         <tr>
           <th scope="col">Quantity</th>

@@ -51,6 +51,7 @@ describe("how far the cell and rod is off", () => {
   it("is what finite elements measured, where they have", () => {
     const held = { rung: "cell-rod", error_kind: "against best", error_source: "fe 5 %", error_percent: { value: 2.34, low: 0, high: 7 }, compared_at_kPa: 20 } as unknown as LadderPoint;
     expect(words(rod({ error_estimate_percent: 5 }), 10, held)).toBe("2.3 % from FE 5 % at 20.0 kPa");
+    expect(words(rod({}), 10, { ...held, error_source: "fe medium mesh" })).toBe("2.3 % from FE medium mesh at 20.0 kPa");
     expect(words(rod({ error_estimate_percent: 5 }), 10, { ...held, error_kind: "own estimate" })).toBe("within 5 % of 3D by its own estimate");
   });
 });

@@ -48,6 +48,17 @@ describe("an estimated error", () => {
     expect(uncertainty(rod, named("tip_rotation"), 10, "pressure")).toBeNull();
   });
 
+  it("is not told of what rounding leaves of a zero", () => {
+    const path = answer.path.map((each) => ({ ...each, tip_mm: [90, -8e-16, 0] }));
+    expect(uncertainty({ ...answer, path }, named("tip_2"), 10, "pressure")).toBeNull();
+  });
+
+  it("is told of no place beyond the answer's range", () => {
+    const short = { ...answer, trusted_to_kPa: 6 };
+    expect(uncertainty(short, named("tip_rotation"), 5, "pressure")?.size).toBeCloseTo(1, 12);
+    expect(uncertainty(short, named("tip_rotation"), 10, "pressure")).toBeNull();
+  });
+
   it("is not known of what symmetry keeps at 0, nor of what is not estimated", () => {
     expect(uncertainty(answer, named("tip_2"), 10, "pressure")).toBeNull();
     expect(uncertainty(answer, named("curvature"), 10, "pressure")).toBeNull();
