@@ -119,6 +119,7 @@ def test_numbers_beyond_a_models_range_are_pale_and_known_mismatches_named(
     expect(volume).to_have_class("faded")
     expect(volume).to_have_attribute("title", re.compile("^Beyond the range of energy"))
     expect(page.get_by_test_id("beyond-range")).to_be_visible()
+    expect(page.get_by_test_id("typical-error")).to_have_count(0)
     picture(page, "10-beyond-range")
     set_number(page, "pressure", "1")
     expect(volume).not_to_have_class("faded")
