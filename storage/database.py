@@ -1,6 +1,7 @@
 """Connections and transactions: SQLite in WAL mode or PostgreSQL behind the same two doors."""
 
 import secrets
+import sqlite3
 import time
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -86,8 +87,24 @@ def _engine(url: URL) -> Engine:
 def _prepare_sqlite(connection: Any, _record: Any) -> None:
     # the driver must not open transactions by itself: _begin_sqlite says when and how
     connection.isolation_level = None
-    for pragma in ("journal_mode=WAL", "synchronous=NORMAL", "foreign_keys=ON"):
+    _into_wal(connection)
+    for pragma in ("synchronous=NORMAL", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}")
+
+
+def _into_wal(connection: Any) -> None:
+    """A new file's change of its journal does not wait for others that change it, as other locks
+    do: it fails at once."""
+    end = time.monotonic() + _BUSY_S
+    while True:
+        try:
+            connection.execute("PRAGMA journal_mode=WAL")
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_BUSY or time.monotonic() > end:
+                raise
+            time.sleep(0.01)
+        else:
+            return
 
 
 def _begin_sqlite(connection: Connection) -> None:

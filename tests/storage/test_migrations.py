@@ -7,6 +7,7 @@ import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from sqlalchemy import create_engine, text
+from sqlalchemy.exc import OperationalError
 
 from storage import NewerDatabaseError, open_store
 from storage.tables import metadata
@@ -47,6 +48,30 @@ def test_several_processes_may_migrate_at_once(kind: str, tmp_path: Path) -> Non
         for thread in threads:
             thread.join()
         assert errors == []
+
+
+def test_many_processes_may_open_a_new_file_at_once(tmp_path: Path) -> None:
+    """Without waiting, one in fifteen such files had somebody who found it locked."""
+    errors: list[BaseException] = []
+    for number in range(60):
+        together = threading.Barrier(8)
+
+        def look(number: int = number, together: threading.Barrier = together) -> None:
+            store = open_store(f"sqlite:///{tmp_path / f'{number}.sqlite'}")
+            together.wait()
+            try:
+                store.list_designs()
+            except OperationalError as error:
+                if "no such table" not in str(error):  # nobody has migrated it
+                    errors.append(error)
+            store.close()
+
+        threads = [threading.Thread(target=look) for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    assert errors == []
 
 
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
