@@ -33,8 +33,9 @@ def print_ladder(
     click.echo(table(HEADINGS, [_row(point, before.get(point.rung)) for point in built.points]))
     best = built.best
     if best is not None:
+        lost = ", which may be anywhere there by its own estimate" if best.may_be_anywhere else ""
         click.echo(
-            f"\nBest answer so far: {best.rung.label}{_by_itself(best)}. Errors are fractions of "
+            f"\nBest answer so far: {best.rung.label}{lost}. Errors are fractions of "
             "the tip's whole way from the straight body, its sag under weight included, at the "
             "pressure compared at."
         )
@@ -59,12 +60,6 @@ def print_ladder(
     for point in {p.rung.name: p for p in built.points}.values():
         if point.state != "refused" and point.rung.leaves_out:
             click.echo(f"  {point.rung.name} leaves out: {', '.join(point.rung.leaves_out)}.")
-
-
-def _by_itself(best: Point) -> str:
-    """That the best of several answers is worth little, where its own estimate says so."""
-    lost = best.error_kind == "own estimate" and best.error is not None and best.error.high >= 1.0
-    return ", which may be anywhere there by its own estimate" if lost else ""
 
 
 def _row(point: Point, before: Span | None) -> list[str]:

@@ -1,15 +1,15 @@
 """The migrations lead exactly to the tables the queries are written for."""
 
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from sqlalchemy import create_engine, text
-from sqlalchemy.exc import OperationalError
 
-from storage import NewerDatabaseError, open_store
+from storage import NewerDatabaseError, Store, open_store
 from storage.tables import metadata
 from tests.storage.databases import database
 
@@ -28,50 +28,44 @@ def test_an_empty_database_migrates_to_the_tables_of_the_code(kind: str, tmp_pat
         store.close()
 
 
+def at_once(url: str, count: int, use: Callable[[Store], object]) -> list[Exception]:
+    """What befalls stores that are used at the same moment."""
+    errors: list[Exception] = []
+    together = threading.Barrier(count)
+
+    def run() -> None:
+        store = open_store(url)
+        together.wait()
+        try:
+            use(store)
+        except Exception as error:  # noqa: BLE001 - handed to the test's own thread
+            errors.append(error)
+        store.close()
+
+    threads = [threading.Thread(target=run) for _ in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return errors
+
+
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
 def test_several_processes_may_migrate_at_once(kind: str, tmp_path: Path) -> None:
+    def migrate(store: Store) -> None:
+        store.migrate()
+        store.list_designs()
+
     with database(kind, tmp_path) as url:
-        errors: list[BaseException] = []
-
-        def migrate() -> None:
-            store = open_store(url)
-            try:
-                store.migrate()
-                store.list_designs()
-            except BaseException as error:  # noqa: BLE001 - handed to the test's own thread
-                errors.append(error)
-            store.close()
-
-        threads = [threading.Thread(target=migrate) for _ in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        assert errors == []
+        assert at_once(url, 4, migrate) == []
 
 
 def test_many_processes_may_open_a_new_file_at_once(tmp_path: Path) -> None:
     """Without waiting, one in fifteen such files had somebody who found it locked."""
-    errors: list[BaseException] = []
     for number in range(60):
-        together = threading.Barrier(8)
-
-        def look(number: int = number, together: threading.Barrier = together) -> None:
-            store = open_store(f"sqlite:///{tmp_path / f'{number}.sqlite'}")
-            together.wait()
-            try:
-                store.list_designs()
-            except OperationalError as error:
-                if "no such table" not in str(error):  # nobody has migrated it
-                    errors.append(error)
-            store.close()
-
-        threads = [threading.Thread(target=look) for _ in range(8)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-    assert errors == []
+        errors = at_once(f"sqlite:///{tmp_path / f'{number}.sqlite'}", 8, Store.list_designs)
+        # nobody has migrated it
+        assert [each for each in errors if "no such table" not in str(each)] == []
 
 
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])

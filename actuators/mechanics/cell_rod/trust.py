@@ -11,6 +11,7 @@ import numpy as np
 from actuators.design import Design, ObliqueDesign
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.row import pitch_starts
+from actuators.mechanics.crossing import first_below
 from actuators.quantities import kilopascals
 
 if TYPE_CHECKING:
@@ -63,12 +64,7 @@ def trusted_to(design: Design, paths: Sequence[CellPath], pressures: np.ndarray)
 
 def _closing(path: CellPath, kept: float) -> float | None:
     """Suction [Pa] that leaves a share ``kept`` of the cavity; None where the path ends before."""
-    left = path.volume / path.volume[0]
-    below = np.flatnonzero(left < kept)
-    if len(below) == 0:
-        return None
-    at = slice(int(below[0]) - 1, int(below[0]) + 1)
-    return float(np.interp(-kept, -left[at], path.pressure[at]))
+    return first_below(path.pressure, path.volume / path.volume[0], kept)
 
 
 def estimate(design: Design, *, suction: bool) -> float:

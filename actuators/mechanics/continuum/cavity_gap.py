@@ -88,13 +88,3 @@ def _places(
     chosen = np.flatnonzero(faces.local == 2 * direction + side)
     boxes = mesh.box[faces.element[chosen]][:, order]
     return [(int(f), tuple(int(n) for n in box)) for f, box in zip(chosen, boxes, strict=True)]
-
-
-def closes_at(along: np.ndarray, openness: np.ndarray) -> float | None:
-    """Where walls meet, between the points of a path: ``along`` it (k,), such as pressures, and
-    their ``openness`` (k,); None where they stay apart."""
-    closed = np.flatnonzero(openness < 0.0)
-    if len(closed) == 0:
-        return None
-    at = slice(max(int(closed[0]) - 1, 0), int(closed[0]) + 1)
-    return float(np.interp(0.0, -openness[at], along[at]))

@@ -6,10 +6,10 @@ from itertools import pairwise, takewhile
 import numpy as np
 
 from actuators.materials import Material
-from actuators.mechanics.continuum.cavity_gap import closes_at
 from actuators.mechanics.continuum.newton import Equilibrium
 from actuators.mechanics.continuum.path import Path
 from actuators.mechanics.continuum.sheets import wrinkle_note
+from actuators.mechanics.crossing import first_below
 from actuators.mechanics.effects import Decision, EffectPlan
 from actuators.mechanics.effects.words import left_out_note
 from actuators.mechanics.response import Effect, PathPoint
@@ -102,8 +102,8 @@ def contact_notes(points: Sequence[PathPoint]) -> list[str]:
 def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[str]:
     """A note on cavity walls that suction has drawn through each other; ``openness`` (k,): their
     smallest distance over that at rest."""
-    pressure = closes_at(np.array([point.pressure for point in points]), openness)
-    volume = closes_at(np.array([point.cavity_volume or 0.0 for point in points]), openness)
+    pressure = first_below(np.array([point.pressure for point in points]), openness)
+    volume = first_below(np.array([point.cavity_volume or 0.0 for point in points]), openness)
     if pressure is None or volume is None:
         return []
     return [
@@ -115,14 +115,10 @@ def collapse_notes(points: Sequence[PathPoint], openness: np.ndarray) -> list[st
 
 def overlap_note(points: Sequence[PathPoint], depth: np.ndarray) -> str | None:
     """Note on walls that have run into each other; ``depth`` (k,) [m] at every point."""
-    deep = np.flatnonzero(depth > VISIBLE_OVERLAP)
-    if len(deep) == 0:
+    onset = first_below(np.array([point.pressure for point in points]), -depth, -VISIBLE_OVERLAP)
+    if onset is None:
         return None
-    first, worst = int(deep[0]), int(np.argmax(depth))
-    onset = points[first].pressure
-    if first > 0:
-        share = (VISIBLE_OVERLAP - depth[first - 1]) / (depth[first] - depth[first - 1])
-        onset = points[first - 1].pressure + share * (onset - points[first - 1].pressure)
+    worst = int(np.argmax(depth))
     return (
         f"Neighbouring walls overlap from about {kilopascals(onset, 3)} kPa on, by up to "
         f"{depth[worst] * 1e3:.2g} mm (at {kilopascals(points[worst].pressure, 3)} kPa): contact "

@@ -65,6 +65,12 @@ class Point:
         whole = (Outcome.CONVERGED, Outcome.LIMIT_POINT)
         return self.state == "measured" and self.outcome in whole
 
+    @property
+    def may_be_anywhere(self) -> bool:
+        """Whether nothing better judges it than an estimate of its own that says so."""
+        own = self.error.high if self.error and self.error_kind == "own estimate" else None
+        return _is_anywhere(own)
+
     def to_document(self) -> dict[str, Any]:
         """Border form: percent, mm, kPa."""
         apart = self.apart
@@ -127,15 +133,17 @@ def best_answer(answers: Sequence[Answer], typical: Mapping[Rung, Typical]) -> A
     if deciding is None or not known:
         return None
 
-    def may_be_anywhere(answer: Answer) -> bool:
-        return answer.own_error is not None and answer.own_error >= 1.0
-
     alike = [
         a for a in known
         if a.outcome == deciding.outcome
-        and (_height(a.rung) == _height(deciding.rung) or not may_be_anywhere(a))
+        and (_height(a.rung) == _height(deciding.rung) or not _is_anywhere(a.own_error))
     ]  # fmt: skip
     return min(alike, key=error, default=deciding)
+
+
+def _is_anywhere(own_error: float | None) -> bool:
+    """Whether an estimate says no more than that: it is all of the tip's way."""
+    return own_error is not None and own_error >= 1.0
 
 
 def _band(answer: Answer, typical: Mapping[Rung, Typical]) -> float | None:

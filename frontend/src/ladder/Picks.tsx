@@ -5,7 +5,7 @@ import { NumberField } from "../ui/NumberField";
 import { formatPercent, sentence } from "../ui/numbers";
 import { useHindrance } from "../workbench/hindrance";
 import { limits, MOST, withLimit, type Limits } from "./limits";
-import { inWords, rungName, shortName } from "./points";
+import { inWords, mayBeAnywhere, rungName, shortName } from "./points";
 import { shortSeconds } from "./scale";
 import { takeRung } from "./take";
 
@@ -98,8 +98,10 @@ function isThere({ state, same_as: same }: LadderPoint): boolean {
   return state === "measured" || same !== null;
 }
 
-function errorOf({ error_percent: error }: LadderPoint): string {
+function errorOf(point: LadderPoint): string {
+  const { error_percent: error } = point;
   if (!error) return "";
+  if (mayBeAnywhere(point)) return "may\u00a0be\u00a0anywhere";
   const worst = formatPercent(error.high);
   return (/^\d/.test(worst) ? `up to ${worst}` : worst).replaceAll(" ", "\u00a0");
 }

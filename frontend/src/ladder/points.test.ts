@@ -47,6 +47,8 @@ describe("points of the ladder", () => {
     const rod = (value: number) => about(point({ rung: "cell-rod", state: "measured", error_kind: "own estimate", error_percent: range(value) }), [])[0];
     expect(rod(5)).toBe("Tip's error: at most 5 % by its own estimate.");
     expect(rod(100)).toBe("Tip's error: it may be anywhere by its own estimate.");
+    const picked = point({ rung: "cell-rod", state: "measured", seconds: range(1), error_kind: "own estimate", error_percent: range(100) });
+    expect(beside("seconds", picked).replaceAll("\u00a0", " ")).toBe("may be anywhere, there already, 1 s");
   });
 
   it("say why one is refused, and name a failed job as one to be run again", () => {

@@ -82,6 +82,14 @@ export function secondsInWords({ seconds, state }: LadderPoint): string {
 /** What is more than nobody tells apart [%]. */
 const MOST = 1000;
 
+/** An estimate of all of the tip's way says that nothing is known [%]. */
+export const ANYWHERE = 100;
+
+/** Whether nothing better judges the cell and rod than an estimate of its own that says so. */
+export function mayBeAnywhere({ rung, error_kind: kind, error_percent: error }: LadderPoint): boolean {
+  return kind === "own estimate" && rung === "cell-rod" && error !== null && error.value >= ANYWHERE;
+}
+
 export function errorInWords(point: LadderPoint): string {
   const { error_percent: error, error_kind: kind } = point;
   if (!error) return point.mesh === null ? "not known" : "not known, for one mesh by itself cannot tell it";
@@ -91,7 +99,7 @@ export function errorInWords(point: LadderPoint): string {
     return `${value} from the best answer so far (${inWords(point.error_source ?? "")})${at}; with that one's own error at most ${formatPercent(error.high)}`;
   }
   if (error.high > MOST) return value;
-  if (kind === "own estimate" && point.rung === "cell-rod" && error.value >= 100) return "it may be anywhere by its own estimate";
+  if (mayBeAnywhere(point)) return "it may be anywhere by its own estimate";
   if (kind === "own estimate") return `at most ${value} by its own estimate`;
   if (kind === "typical") return `typically ${value}; below ${formatPercent(error.high)} for four of five such designs`;
   return `at most ${value}, asked for`;

@@ -1,7 +1,7 @@
 /** How far an instant answer is off from 3D, in words. */
 import type { LadderPoint, Result } from "../api/types";
 import { isBeyondTrust, placeOf, trustedPlace } from "../charts/curve";
-import { errorInWords, inWords } from "../ladder/points";
+import { ANYWHERE, errorInWords, inWords } from "../ladder/points";
 import { formatPercent, sentence } from "../ui/numbers";
 import type { Control } from "../workbench/loads";
 import type { TypicalErrors } from "../workbench/model";
@@ -12,9 +12,6 @@ export interface Off {
   text: string;
   title: string;
 }
-
-/** An estimate of all of the tip's way or more says that nothing is known [%]. */
-const ANYWHERE = 100;
 
 /** At a place of the path, null standing for its end; null where nothing can be said, or where the
  * range's own mark says it. `held`: the drawn rung's point of the ladder for this very question. */

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from actuators.materials import material
-from actuators.mechanics.continuum.cavity_gap import closes_at
 from actuators.mechanics.continuum.findings import contact_notes, range_notes
+from actuators.mechanics.crossing import first_below
 from actuators.mechanics.response import PathPoint
 
 
@@ -40,6 +40,6 @@ def test_a_contact_pressure_carries_its_caveat() -> None:
 def test_walls_meet_where_they_do_whatever_the_points_of_the_path() -> None:
     for count in (3, 5, 21):
         pressures = np.linspace(0.0, -4e3, count)
-        assert closes_at(pressures, 1.0 + pressures / 2.5e3) == pytest.approx(-2.5e3)
-    assert closes_at(np.array([0.0, -1e3]), np.array([1.0, 0.5])) is None
-    assert closes_at(np.array([0.0, -1e3]), np.array([-0.1, -0.5])) == 0.0
+        assert first_below(pressures, 1.0 + pressures / 2.5e3) == pytest.approx(-2.5e3)
+    assert first_below(np.array([0.0, -1e3]), np.array([1.0, 0.5])) is None
+    assert first_below(np.array([0.0, -1e3]), np.array([-0.1, -0.5])) == 0.0

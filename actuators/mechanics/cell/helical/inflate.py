@@ -14,9 +14,10 @@ from actuators.mechanics.cell.helical.overlap import WallGap
 from actuators.mechanics.cell.helical.system import CellSystem
 from actuators.mechanics.cell.inflated import CellPath
 from actuators.mechanics.cell.periodic import CellMesh, coarse_mesh
-from actuators.mechanics.continuum.cavity_gap import closes_at, least_openness
+from actuators.mechanics.continuum.cavity_gap import least_openness
 from actuators.mechanics.continuum.sheets import wrinkle_note
 from actuators.mechanics.continuum.surface_fields import StrainRecovery
+from actuators.mechanics.crossing import first_below
 
 
 def inflate(
@@ -82,7 +83,7 @@ def _emptied(points: list[Point], system: CellSystem) -> list[str]:
     if not points or points[-1].pressure >= 0.0:
         return []
     open_by = least_openness(system.domain.mesh, [p.state.nodes for p in points])
-    begins = closes_at(np.array([p.pressure for p in points]), open_by)
+    begins = first_below(np.array([p.pressure for p in points]), open_by)
     if begins is None:
         return []
     return [
