@@ -2,16 +2,19 @@
 
     python -m benchmarks.ladder_cost collect FILE --stream sessions --seed 5 --seconds 240
     python -m benchmarks.ladder_cost collect FILE --stream unrelated --seed 5 --seconds 240
+    python -m benchmarks.ladder_cost collect FILE --stream suction --seed 5 --seconds 240
+    python -m benchmarks.ladder_cost again FILE --most-cpu 80  # those stopped before
     python -m benchmarks.ladder_cost judge FILE...
     python -m benchmarks.ladder_cost record FILE...            # writes the package's record
 
 ``collect`` adds timed jobs to a file: of designers' sessions, where each question is a small change
-of the one before, or of unrelated ones (``benchmarks/ladder_jobs.py``); it can be stopped and begun
-again. ``judge`` makes a record of two thirds of the sessions and unrelated jobs and plays the rest,
-in many random orders, to a new machine that is slower or faster by a factor drawn from 1/3 to 3,
-for each third in turn: how many predictions are within a factor of 1.5 of what the job then takes,
-for the 1st, for the 2nd to 10th, and from the 11th job on; it draws these into docs/pictures
-(needs matplotlib)."""
+of the one before, with inflation or with suction, or of unrelated ones
+(``benchmarks/ladder_jobs.py``); it can be stopped and begun again. ``judge`` makes a record of two
+thirds of the sessions and unrelated jobs and plays the rest, in many random orders, to a new
+machine that is slower or faster by a factor drawn from 1/3 to 3, for each third in turn: how many
+predictions are within a factor of 1.5 of what the job then takes, for the 1st, for the 2nd to 10th,
+and from the 11th job on, and of jobs that were stopped how many were told to take at least so long;
+it draws these into docs/pictures (needs matplotlib)."""
 
 import os
 
@@ -32,13 +35,14 @@ import numpy as np
 from scipy.optimize import minimize
 
 from actuators.mechanics.ladder import record as record_module
-from actuators.mechanics.ladder.cost import CostModel, PastJob, Spread
+from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, Spread
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors
 from actuators.mechanics.ladder.record import job_document
 from benchmarks.ladder_jobs import (
     SESSION,
+    STREAMS,
     collect,
-    finished,
+    collect_again,
     level_errors,
     past_job,
     preset_jobs,
@@ -57,8 +61,8 @@ STAGES = ((0, 1, "first job"), (1, 10, "2nd to 10th"), (10, 10**6, "from the 11t
 
 @dataclass(frozen=True, eq=False)
 class Timed:
-    """A job that came to an end, as collected; ``full`` and ``told``: as the package's record and
-    as a machine remember it."""
+    """A job as collected; ``full`` and ``told``: as the package's record and as a machine remember
+    it."""
 
     entry: dict[str, Any]
     full: PastJob
@@ -68,7 +72,7 @@ class Timed:
     def group(self) -> tuple[str, int, int]:
         """Jobs that are played together: one session, or one unrelated job."""
         stream, number = self.entry["stream"], self.entry["number"]
-        return stream, self.entry["seed"], number // SESSION if stream == "sessions" else number
+        return stream, self.entry["seed"], number // (1 if stream == "unrelated" else SESSION)
 
 
 @dataclass(frozen=True)
@@ -80,12 +84,13 @@ class Row:
     seconds: float
     ratio: float
     held: bool
+    stopped: bool
     job: dict[str, Any]
 
 
 def read(files: Sequence[Path]) -> list[Timed]:
-    """All jobs of the files that came to an end, and the presets of docs/validation.md."""
-    jobs = [job for job in read_jobs(files) if finished(job)]
+    """All jobs of the files, and the presets of docs/validation.md."""
+    jobs = read_jobs(files)
     full = [past_job(job, all_levels=True) for job in jobs]
     told = [past_job(job, all_levels=False) for job in jobs]
     collected = [Timed(*each) for each in zip(jobs, full, told, strict=True)]
@@ -93,7 +98,9 @@ def read(files: Sequence[Path]) -> list[Timed]:
 
 
 def fit_spread(jobs: Sequence[PastJob], levels: dict[bool, LevelErrors]) -> Spread:
-    """Spreads under which the seconds are most likely; the usual ones for fewer than FEW jobs."""
+    """Spreads under which the seconds of the jobs that ended are most likely; the usual ones for
+    fewer than FEW."""
+    jobs = [job for job in jobs if not job.stopped]
     if len(jobs) < FEW:
         return Spread()
 
@@ -104,7 +111,7 @@ def fit_spread(jobs: Sequence[PastJob], levels: dict[bool, LevelErrors]) -> Spre
     start = np.log([getattr(Spread(), name) for name in FITTED])
     about = np.vstack([start, start + 0.5 * np.eye(len(start))])
     found = minimize(
-        lambda logs: -CostModel(jobs, [], levels, spread(logs)).log_likelihood(),
+        lambda logs: -Known(jobs, levels, spread(logs)).log_likelihood(),
         start, method="Nelder-Mead",
         options={"maxiter": 250, "xatol": 0.05, "fatol": 0.05, "initial_simplex": about},
     )  # fmt: skip
@@ -121,7 +128,8 @@ def write_record(files: Sequence[Path]) -> None:
     names = {False: "massive", True: "stands_apart"}
     head = {
         "source": f"{count['sessions']} jobs of designers' sessions and {count['unrelated']} "
-        f"unrelated ones on random designs of all families, {date.today()}, "
+        f"unrelated ones on random designs of all families, {count['suction']} of sessions with "
+        f"suction, {date.today()}, "
         f"and {count['presets']} presets of docs/validation.md; "
         "processor seconds of one thread on a virtual machine with 2 cores; "
         "python -m benchmarks.ladder_cost",
@@ -138,7 +146,7 @@ def write_record(files: Sequence[Path]) -> None:
 def judge(files: Sequence[Path]) -> None:
     """Print how far predictions were off."""
     jobs = read(files)
-    rows: dict[str, list[Row]] = {"sessions": [], "unrelated": [], "presets": []}
+    rows: dict[str, list[Row]] = {stream: [] for stream in (*STREAMS, "presets")}
     rng = np.random.default_rng(1)
     groups = sorted({job.group for job in jobs})
     fold_of = {group: k % FOLDS for k, group in enumerate(rng.permutation(len(groups)).tolist())}
@@ -147,16 +155,18 @@ def judge(files: Sequence[Path]) -> None:
         known = [job for job in jobs if fold[job.group] != turn]
         levels = level_errors([job.entry for job in known if job.group[0] != "presets"])
         record = [job.full for job in known]
-        spread = fit_spread(record, levels)
+        of_record = Known(record, levels, fit_spread(record, levels))
         for stream, found in rows.items():
             unseen = [job for job in jobs if fold[job.group] == turn and job.group[0] == stream]
             for _ in range(ORDERS):
-                found += play(unseen, record, levels, spread, rng)
+                found += play(unseen, of_record, rng)
     for stream, found in rows.items():
         count = sum(job.group[0] == stream for job in jobs)
+        if not count:
+            continue
         print(f"\n{stream}: {count} jobs")
         _print(found)
-    draw(rows)
+    draw({stream: found for stream, found in rows.items() if found})
 
 
 def draw(streams: dict[str, list[Row]]) -> None:
@@ -166,10 +176,11 @@ def draw(streams: dict[str, list[Row]]) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(1, 3, figsize=(11, 4), layout="constrained", sharey=True)
+    size = {"figsize": (3.6 * len(streams), 4), "layout": "constrained"}
+    figure, axes = pyplot.subplots(1, len(streams), sharey=True, **size)
     ends = np.array([0.1, 1000.0])
     for axis, (stream, rows) in zip(axes, streams.items(), strict=True):
-        late = [row for row in rows if row.before >= STAGES[-1][0]]
+        late = [row for row in rows if row.before >= STAGES[-1][0] and not row.stopped]
         true = np.array([row.seconds for row in late])
         axis.fill_between(ends, ends / FACTOR, ends * FACTOR, color="0.88")
         axis.plot(ends, ends, color="0.6", linewidth=0.8)
@@ -181,10 +192,7 @@ def draw(streams: dict[str, list[Row]]) -> None:
     figure.savefig(PICTURE, dpi=80)
 
 
-def play(
-    jobs: Sequence[Timed], record: Sequence[PastJob], levels: dict[bool, LevelErrors],
-    spread: Spread, rng: np.random.Generator,
-) -> list[Row]:  # fmt: skip
+def play(jobs: Sequence[Timed], known: Known, rng: np.random.Generator) -> list[Row]:
     """Jobs one after another on a new machine, groups in random order."""
     groups = sorted({job.group for job in jobs})
     pace = float(np.exp(rng.uniform(-1, 1) * np.log(3)))
@@ -193,15 +201,17 @@ def play(
     for index in rng.permutation(len(groups)).tolist():
         for job in (job for job in jobs if job.group == groups[index]):
             took = replace(job.told, seconds=pace * job.told.seconds)
-            found = CostModel(record, seen, levels, spread).predict(took.outlook)
+            found = CostModel(known, seen).predict(took.outlook)
             held = found.low <= took.seconds <= found.high
             ratio = found.seconds / took.seconds
-            rows.append(Row(len(seen), job.told.seconds, ratio, held, job.entry))
+            stopped = job.told.stopped
+            rows.append(Row(len(seen), job.told.seconds, ratio, held, stopped, job.entry))
             seen.append(took)
     return rows
 
 
-def _print(rows: list[Row]) -> None:
+def _print(everyone: list[Row]) -> None:
+    rows = [row for row in everyone if not row.stopped]
     print(
         "\n| predictions | within 1.5 | within 2 | median factor off | in the range |"
         "\n| --- | --- | --- | --- | --- |"
@@ -217,6 +227,10 @@ def _print(rows: list[Row]) -> None:
     for kind in kinds:
         for name in sorted({kind(row) for row in late} - {"start"}):
             _line(f"of these: {name}", [row for row in late if kind(row) == name])
+    stopped = [row for row in everyone if row.stopped and row.before >= 10]
+    if stopped:
+        longer = np.mean([row.ratio > 1 / FACTOR for row in stopped])
+        print(f"\nOf those stopped {100 * longer:.0f} % were told to take at least so long")
 
 
 def _line(name: str, rows: Sequence[Row]) -> None:
@@ -230,9 +244,9 @@ def _line(name: str, rows: Sequence[Row]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("what", choices=("collect", "record", "judge"))
+    parser.add_argument("what", choices=("collect", "again", "record", "judge"))
     parser.add_argument("files", nargs="+", type=Path)
-    parser.add_argument("--stream", choices=("unrelated", "sessions"), default="unrelated")
+    parser.add_argument("--stream", choices=STREAMS, default="unrelated")
     parser.add_argument("--seed", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=1800.0)
     parser.add_argument("--most", type=int, default=10**6)
@@ -240,6 +254,8 @@ def main() -> None:
     asked = parser.parse_args()
     if asked.what == "collect":
         collect(asked.files[0], asked.stream, asked.seed, asked.seconds, asked.most_cpu, asked.most)
+    elif asked.what == "again":
+        collect_again(asked.files[0], asked.seconds, asked.most_cpu)
     elif asked.what == "record":
         write_record(asked.files)
     else:

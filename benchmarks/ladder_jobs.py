@@ -1,8 +1,9 @@
 """Timed finite-element jobs, one line of JSON each: what predictions of time are made from and
 judged by.
 
-Two streams of questions. *Unrelated*: random designs of all families in random scenes. *Sessions*:
+Streams of questions. *Unrelated*: random designs of all families in random scenes. *Sessions*:
 what a studio sees, one design and scene after another, each a small change of the one before.
+*Suction*: sessions whose chambers are sucked empty, by pressure or by volume.
 """
 
 import json
@@ -10,6 +11,7 @@ import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +19,11 @@ import numpy as np
 
 from actuators.design import FAMILIES, Design, parse_design
 from actuators.errors import InputError, QuestionError
+from actuators.mechanics.cell.row import chamber_row
 from actuators.mechanics.ladder.cost import JUDGED, SMALLEST_ERROR, PastJob
 from actuators.mechanics.ladder.question import LevelErrors, mesh_sizes, outlook
 from actuators.mechanics.obstacles import Plate
-from actuators.mechanics.scene import STRONGEST, Scene
+from actuators.mechanics.scene import STANDARD_GRAVITY, STRONGEST, VACUUM, Scene
 from actuators.meshing.levels import MeshChoice
 from benchmarks.random_questions import KINDS, random_design, random_questions, random_scene
 from benchmarks.validation.data import read as validation_answers
@@ -29,6 +32,10 @@ from benchmarks.validation.studies import all_cases
 ACCURACIES = (0.3, 0.3, 0.2, 0.1, 0.1, 0.05, 0.02)
 SHARE_OF_MESHES = 0.2
 """Part of the jobs that name the coarsest mesh instead."""
+DRAINED = (0.04, 0.5)
+"""Share of its air that suction takes from the linear cavity, drawn evenly in its logarithm."""
+STREAMS = ("unrelated", "sessions", "suction")
+NAME = ("stream", "seed", "number")
 CHAMBERS = (1, 3)
 ENDED = ("converged", "limit_point", "stalled")
 SESSION = 9
@@ -62,7 +69,7 @@ def unrelated(seed: int) -> Iterator[Asked]:
         yield Asked(each.design, each.scene, each.kind, accuracy, mesh)
 
 
-def sessions(seed: int) -> Iterator[Asked]:
+def sessions(seed: int, *, suction: bool = False) -> Iterator[Asked]:
     """Designers one after another, without end, families in turn; each asks SESSION times, mostly
     changing what was asked last by up to three moves."""
     number = 0
@@ -70,10 +77,11 @@ def sessions(seed: int) -> Iterator[Asked]:
         rng = np.random.default_rng([seed, number])
         family = list(FAMILIES)[number % len(FAMILIES)]
         design = random_design(rng, family, CHAMBERS)
-        kind = str(rng.choice(KINDS))
+        kind = "suction" if suction else str(rng.choice(KINDS))
         accuracy = float(rng.choice(ACCURACIES))
         mesh: MeshChoice | None = "coarse" if rng.random() < SHARE_OF_MESHES else None
-        asked = Asked(design, random_scene(rng, design, kind), kind, accuracy, mesh)
+        scene = _drained(rng, design) if suction else random_scene(rng, design, kind)
+        asked = Asked(design, scene, kind, accuracy, mesh)
         yield asked
         for _ in range(SESSION - 1):
             last = asked
@@ -82,6 +90,18 @@ def sessions(seed: int) -> Iterator[Asked]:
             asked = replace(last, move=_named(last, asked))
             yield asked
         number += 1
+
+
+def _drained(rng: np.random.Generator, design: Design) -> Scene:
+    """Suction, asked for by its pressure or by what it leaves of the air."""
+    row = chamber_row(design)
+    air = float(row.cavity_volume.sum())
+    taken = float(np.exp(rng.uniform(*np.log(DRAINED)))) * air
+    gravity = None if rng.random() < 0.3 else STANDARD_GRAVITY
+    if rng.random() < 0.4:
+        return Scene(volume_to=air - taken, gravity=gravity)
+    pressure = taken / float(row.cavity_compliance.sum())
+    return Scene(pressure_to=-min(pressure, VACUUM), gravity=gravity)
 
 
 def _moved(rng: np.random.Generator, last: Asked) -> Asked:
@@ -113,7 +133,7 @@ def _change(rng: np.random.Generator, last: Asked, move: str) -> Asked:
     if move == "pressure":
         factor = float(np.exp(rng.uniform(-0.35, 0.35)))
         if scene.pressure_to is not None:
-            to = min(scene.pressure_to * factor, STRONGEST)
+            to = max(min(scene.pressure_to * factor, STRONGEST), -VACUUM)
             return replace(last, scene=replace(scene, pressure_to=to))
         return replace(last, scene=replace(scene, volume_to=(scene.volume_to or 0.0) * factor**0.3))
     if move == "load":
@@ -146,11 +166,10 @@ def collect(
     """Add jobs of a stream to ``file`` for so many seconds or up to ``most`` of them; those that
     stand there already are passed over. Each is stopped after ``most_cpu_s`` [s] of processor time
     and then counts as unfinished. One thread; processor seconds, for the machine may be busy."""
-    from actuators.mechanics.continuum import warm
-
-    warm.exercise()
-    there = {(e["stream"], e["seed"], e["number"]) for e in _lines([file])}
-    questions = unrelated(seed) if stream == "unrelated" else sessions(seed)
+    there = {_name(entry) for entry in _lines([file])}
+    questions = {
+        "unrelated": unrelated, "sessions": sessions, "suction": partial(sessions, suction=True)
+    }[stream](seed)  # fmt: skip
     noted = Noted()
     end = time.monotonic() + seconds
     for number, asked in enumerate(questions):
@@ -158,25 +177,51 @@ def collect(
             return
         if (stream, seed, number) in there:
             continue
-        entry = {
-            "stream": stream, "seed": seed, "number": number, "move": asked.move,
-            "design": asked.design.to_document(), "scene": asked.scene.to_document(),
-            "kind": asked.kind, "accuracy": asked.accuracy, "mesh": asked.mesh,
-            **_answered(asked, most_cpu_s, noted),
-        }  # fmt: skip
-        with file.open("a") as out:
-            out.write(json.dumps(entry) + "\n")
-        told = f"{entry['cpu']:.1f} s, {entry['tangents']}" if "cpu" in entry else entry["refused"]
-        print(number, asked.design.family, asked.kind, asked.move, told, flush=True)
+        _add(file, asked, {"stream": stream, "seed": seed, "number": number}, most_cpu_s, noted)
+
+
+def collect_again(file: Path, seconds: float, most_cpu_s: float) -> None:
+    """Run the jobs of ``file`` anew that were stopped before ``most_cpu_s`` [s], for so many
+    seconds; of a job's lines the last one counts."""
+    noted = Noted()
+    end = time.monotonic() + seconds
+    for entry in read_jobs([file]):
+        if finished(entry) or entry["cpu"] > most_cpu_s or time.monotonic() > end:
+            continue
+        asked = Asked(
+            parse_design(entry["design"]), Scene.from_document(entry["scene"]), entry["kind"],
+            entry["accuracy"], entry["mesh"], entry["move"],
+        )  # fmt: skip
+        _add(file, asked, dict(zip(NAME, _name(entry), strict=True)), most_cpu_s, noted)
+
+
+def _add(file: Path, asked: Asked, name: dict[str, Any], most_cpu_s: float, noted: "Noted") -> None:
+    entry = {
+        **name, "move": asked.move,
+        "design": asked.design.to_document(), "scene": asked.scene.to_document(),
+        "kind": asked.kind, "accuracy": asked.accuracy, "mesh": asked.mesh,
+        **_answered(asked, most_cpu_s, noted),
+    }  # fmt: skip
+    with file.open("a") as out:
+        out.write(json.dumps(entry) + "\n")
+    told = f"{entry['cpu']:.1f} s, {entry['tangents']}" if "cpu" in entry else entry["refused"]
+    print(name["number"], asked.design.family, asked.kind, asked.move, told, flush=True)
+
+
+def _name(entry: dict[str, Any]) -> tuple[str, int, int]:
+    """What tells a job from all others."""
+    stream, seed, number = (entry[key] for key in NAME)
+    return stream, seed, number
 
 
 class Noted:
     """What a solve tells on its way: estimates of every mesh, tangents factorised by size."""
 
     def __init__(self) -> None:
-        from actuators.mechanics.continuum import climb, linear
+        from actuators.mechanics.continuum import climb, linear, warm
         from actuators.mechanics.direct_solver import PardisoSolver
 
+        warm.exercise()
         self.levels: list[dict[str, float]] = []
         self.tangents: Counter[int] = Counter()
         estimates, factorize = climb.estimates, PardisoSolver.factorize
@@ -228,8 +273,9 @@ def _lines(paths: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def read_jobs(paths: Iterable[Path]) -> list[dict[str, Any]]:
-    """Jobs of files that :func:`collect` wrote, refused ones left out."""
-    return [entry for entry in _lines(paths) if "cpu" in entry]
+    """Jobs of files that :func:`collect` wrote, refused ones left out; of lines of one job the
+    last."""
+    return list({_name(entry): entry for entry in _lines(paths) if "cpu" in entry}.values())
 
 
 def finished(job: dict[str, Any]) -> bool:
@@ -245,10 +291,14 @@ def past_job(job: dict[str, Any], *, all_levels: bool) -> PastJob:
         accuracy=job["accuracy"], mesh=job["mesh"],
     )  # fmt: skip
     estimates = job["levels"][-1] if job["levels"] else {}
-    found = PastJob.of(told, job["cpu"], job["unknowns"], estimates)
+    stopped = not finished(job)
+    found = PastJob.of(told, job["cpu"], job["unknowns"], estimates, stopped=stopped)
     if job["mesh"] is not None or not all_levels:
         return found
     errors = {k: worst(each) for k, each in enumerate(job["levels"], start=1)}
+    if stopped:
+        level = min(max(errors, default=0), len(told.sizes) - 1)
+        return replace(found, level=level, errors=errors)
     return replace(found, errors=errors)
 
 

@@ -163,7 +163,8 @@ class TimingRow:
     """How long a worker took over a question. ``design`` and ``scene`` in border units; ``mesh``:
     the one asked for, None where the accuracy decided; ``seconds``: on the clock or, where fewer,
     of the processor, for a machine busy with other work is not slow; ``unknowns`` of the mesh it
-    ended on, ``estimates_percent`` of its errors there; ``worker`` is ``name@machine``."""
+    ended on, ``estimates_percent`` of its errors there; ``stopped``: by somebody or by its budget,
+    before its end; ``worker`` is ``name@machine``, None of one that somebody stopped."""
 
     digest: str
     design: dict[str, Any]
@@ -174,6 +175,7 @@ class TimingRow:
     unknowns: int
     estimates_percent: dict[str, float | None]
     outcome: str
+    stopped: bool
     worker: str | None
     finished_at: datetime
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import RowMapping, or_, select
 
 from actuators.design import parse_design
 from actuators.mechanics.scene import Scene
@@ -12,15 +12,17 @@ from storage.database import Database
 from storage.question import OPEN_OUTCOMES
 from storage.rows import ResultRow, TimingRow
 
+STOPPED = ("cancelled", "budget_spent")
+
 
 class Timings(Database):
-    """What finished jobs tell about the next one."""
+    """What past jobs tell about the next one."""
 
     def recent_timings(
         self, rung: str, *, host: str | None = None, limit: int = 100
     ) -> list[TimingRow]:
-        """The latest jobs of a rung that a worker computed to an end, newest first. ``host``: only
-        those of workers on that machine."""
+        """The latest jobs of a rung that a worker computed to an end, or was stopped at by somebody
+        or by its budget, newest first. ``host``: only those of workers on that machine."""
         j, r = tables.job.c, tables.result.c
         query = (
             select(
@@ -28,16 +30,24 @@ class Timings(Database):
             )
             .select_from(tables.job.join(tables.result, r.digest == j.digest))
             .where(
-                j.state == "done", j.rung == rung, ~j.from_store, j.follows.is_(None),
-                r.outcome.not_in(OPEN_OUTCOMES),
+                j.rung == rung, ~j.from_store, j.follows.is_(None), j.finished_at.is_not(None),
+                or_(
+                    (j.state == "done") & r.outcome.not_in(OPEN_OUTCOMES), r.outcome.in_(STOPPED)
+                ),
             )
             .order_by(j.finished_at.desc(), j.id)
             .limit(limit)
         )  # fmt: skip
         if host is not None:
-            query = query.where(j.worker.endswith(f"@{host}", autoescape=True))
+            # a job that somebody stopped has lost its worker
+            there = j.worker.endswith(f"@{host}", autoescape=True)
+            query = query.where(or_(there, j.worker.is_(None)))
         with self._read() as connection:
             rows = connection.execute(query).mappings().all()
+        # a question that was stopped and asked again has one result
+        latest: dict[str, RowMapping] = {}
+        for row in rows:
+            latest.setdefault(row["digest"], row)
         return [
             TimingRow(
                 digest=row["digest"],
@@ -49,10 +59,11 @@ class Timings(Database):
                 unknowns=int(row["document"].get("unknowns") or 0),
                 estimates_percent=dict(row["document"].get("error_estimates_percent") or {}),
                 outcome=row["outcome"],
+                stopped=row["outcome"] in STOPPED,
                 worker=row["worker"],
                 finished_at=row["finished_at"],
             )
-            for row in rows
+            for row in latest.values()
             if row["document"].get("wall_s")
         ]
 

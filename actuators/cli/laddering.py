@@ -8,7 +8,7 @@ import click
 
 from actuators.cli.effects import effect_option, with_choices
 from actuators.cli.ladder_table import print_ladder
-from actuators.cli.past_jobs import cost_model, remember
+from actuators.cli.past_jobs import STOPPED, cost_model, remember
 from actuators.cli.reading import change_option, read_accuracy, read_design, read_scene
 from actuators.cli.solving import Interruptible, show_progress
 from actuators.cli.studio import answer, json_option
@@ -28,7 +28,7 @@ from actuators.mechanics.ladder import (
     read_rung,
 )
 from actuators.mechanics.ladder.points import Span
-from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.response import Response
 from actuators.mechanics.scene import Scene
 from actuators.quantities import parse_quantity
 
@@ -170,11 +170,11 @@ class Session:
         except QuestionError as refusal:
             self.refusals[rung] = str(refusal)
             return
-        if response.outcome in (Outcome.CANCELLED, Outcome.BUDGET_SPENT):
+        remember(response, rung)
+        if response.outcome in STOPPED:
             self.spent[rung] = response.wall_s
             return
         self.answers.append(Answer.of(response, rung))
-        remember(response, rung)
         self._costs = cost_model()
 
     def _solver(self) -> Callable[..., Response]:

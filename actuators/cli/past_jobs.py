@@ -10,22 +10,27 @@ from typing import Any
 
 import click
 
+from actuators.design import Design
+from actuators.errors import InputError
 from actuators.mechanics.ladder import (
     CostModel,
     PastJob,
     Rung,
     cost_record,
+    expected_time,
     job_document,
     job_of_document,
     outlook,
 )
 from actuators.mechanics.ladder.cost import MOST_JOBS
 from actuators.mechanics.response import Outcome, Response
+from actuators.mechanics.scene import Scene
 from actuators.places import data_folder
+from actuators.quantities import two_digits
 
-VERSION = 2
+VERSION = 3
 """Of what the features mean; lines of another version are not read."""
-NOT_TIMED = (Outcome.CANCELLED, Outcome.BUDGET_SPENT)
+STOPPED = (Outcome.CANCELLED, Outcome.BUDGET_SPENT)
 
 
 def past_jobs_file() -> Path:
@@ -39,17 +44,20 @@ the processor; 0.01 s later on). What is left of a shorter one would still tell 
 
 
 def remember(response: Response, rung: Rung, *, is_first: bool = False) -> None:
-    """Add a finished job: its seconds on the clock or, where they are fewer, of the processor, for
-    a machine busy with other work is not slow. ``is_first``: its process had not loaded the solver
-    before; its setting up is left out. A folder that cannot be written to costs the memory, not the
-    answer."""
+    """Add a job: its seconds on the clock or, where they are fewer, of the processor, for a machine
+    busy with other work is not slow; where it was stopped, that it takes longer than so.
+    ``is_first``: its process had not loaded the solver before; its setting up is left out. A folder
+    that cannot be written to costs the memory, not the answer."""
     seconds = response.wall_s if response.cpu_s is None else min(response.wall_s, response.cpu_s)
     if is_first and response.wall_s > 0.0:
         seconds *= 1.0 - response.timings.get("set_up", 0.0) / response.wall_s
-    if response.outcome in NOT_TIMED or seconds <= (LOADING_S if is_first else 0.0):
+    if seconds <= (LOADING_S if is_first else 0.0):
         return
     told = outlook(response.design, response.scene, accuracy=rung.accuracy, mesh=rung.mesh)
-    job = PastJob.of(told, seconds, response.unknowns, response.error_estimates)
+    job = PastJob.of(
+        told, seconds, response.unknowns, response.error_estimates,
+        stopped=response.outcome in STOPPED,
+    )  # fmt: skip
     entry = {"version": VERSION, **job_document(job)}
     file = past_jobs_file()
     try:
@@ -64,6 +72,23 @@ def remember(response: Response, rung: Rung, *, is_first: bool = False) -> None:
 def cost_model() -> CostModel:
     """Prediction of seconds from the package's record and this user's past jobs."""
     return cost_record().model(_read(past_jobs_file()))
+
+
+def tell_expected(design: Design, scene: Scene, rung: Rung) -> None:
+    """On standard error, how long finite elements will take; nothing of a question that the solver
+    is going to refuse."""
+    try:
+        expected = expected_time(design, scene, rung, cost_model())
+    except InputError:
+        return
+    seconds, low, high = map(two_digits, (expected.seconds, expected.low, expected.high))
+    learned = expected.learned_from
+    click.echo(
+        f"Expected to take {seconds} s (four of five such jobs: {low} to {high} s), from "
+        + (f"{learned} past jobs" if learned else "no past job")
+        + " of this machine and the package's record.",
+        err=True,
+    )
 
 
 def _read(file: Path) -> list[PastJob]:

@@ -115,14 +115,16 @@ def _solve(design: Design, scene: Scene, accuracy: str | None, mesh: str | None)
     wanted: dict[str, Any] = {} if mesh is None else {"mesh": mesh}
     if accuracy is not None:
         wanted["accuracy"] = read_accuracy(accuracy)
+    from actuators.cli.past_jobs import remember, tell_expected
+    from actuators.mechanics.ladder import Rung
+
+    rung = Rung("fe", wanted.get("accuracy", 0.05), mesh)
+    tell_expected(design, scene, rung)
     from actuators.mechanics.continuum import solve
 
     with Interruptible() as interrupted:
         response = solve(design, scene, progress=show_progress(), cancelled=interrupted, **wanted)
-    from actuators.cli.past_jobs import remember
-    from actuators.mechanics.ladder import Rung
-
-    remember(response, Rung("fe", wanted.get("accuracy", 0.05), mesh), is_first=True)
+    remember(response, rung, is_first=True)
     return response
 
 

@@ -1,4 +1,4 @@
-"""What finished jobs teach about the next one's seconds, kept between requests."""
+"""What past jobs teach about the next one's seconds, kept between requests."""
 
 import logging
 import time
@@ -32,7 +32,9 @@ def cost_model(store: Store) -> CostModel:
         found = _known(row) if row.digest in _outlooks or time.monotonic() < end else None
         if found is not None:
             estimates = {n: e / 100 for n, e in row.estimates_percent.items() if e is not None}
-            jobs.append(PastJob.of(found, row.seconds, row.unknowns, estimates))
+            jobs.append(
+                PastJob.of(found, row.seconds, row.unknowns, estimates, stopped=row.stopped)
+            )
     return cost_record().model(jobs[::-1])
 
 

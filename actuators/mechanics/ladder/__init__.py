@@ -13,7 +13,7 @@ from actuators.mechanics.ladder.choice import (
     at_most_error,
     at_most_seconds,
 )
-from actuators.mechanics.ladder.cost import CostModel, PastJob, TimeEstimate
+from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, TimeEstimate
 from actuators.mechanics.ladder.points import Point, Span, Typical
 from actuators.mechanics.ladder.question import FEATURES, Outlook, outlook
 from actuators.mechanics.ladder.record import cost_record, job_document, job_of_document
@@ -21,8 +21,9 @@ from actuators.mechanics.ladder.rungs import Rung, ladder_rungs, read_rung
 from actuators.mechanics.ladder.typical import typical_at, typical_error
 
 __all__ = [
-    "FEATURES", "Answer", "Choice", "CostModel", "Difference", "Ladder", "Limit", "Outlook",
-    "PastJob", "Point", "Rung", "Span", "TimeEstimate", "Typical", "as_it_went", "ask_instant",
+    "FEATURES", "Answer", "Choice", "CostModel", "Difference", "Known", "Ladder", "Limit",
+    "Outlook", "PastJob", "Point", "Rung", "Span", "TimeEstimate", "Typical", "as_it_went",
+    "ask_instant",
     "at_most_error", "at_most_seconds", "build_ladder", "cost_record", "difference",
     "expected_time", "job_document", "job_of_document", "ladder_rungs", "outlook", "read_rung",
     "typical_at", "typical_error",

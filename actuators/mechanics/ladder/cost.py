@@ -15,15 +15,20 @@ shares with its neighbours alone, as a slider moves, and no feature tells (how i
 is one number per machine, wide open until this machine's first jobs have ended. What is known
 before any job has run here are the jobs of the package's own record (:mod:`.record`), as data of
 another machine. All of it is Gaussian conditionals: exact, and quick at some hundred jobs.
+
+Jobs that were stopped teach too, for those that take long are stopped most: of each is known that t
+is longer. Where that is news, it becomes an observation with the mean and variance that turn what
+the jobs that ended say of it into what is left of that above its seconds (one step of expectation
+propagation).
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from statistics import NormalDist
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import cho_solve, cholesky, solve_triangular
 from scipy.special import ndtr
 
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors, Outlook
@@ -41,8 +46,12 @@ MOST_JOBS = 300
 JUDGED = ("tip", "angle", "force", "limit_pressure")
 """Estimates that decide whether a job ends on a mesh (``continuum.estimates``)."""
 SMALLEST_ERROR = 1e-4
-_NEAR = {"coarse": 0.2, "strain": 0.7, "large strain": 0.7, "steps": 1.0, "turn": 0.7,
-         "closed": 0.7, "pressed": 0.3, "weight": 0.7, "force": 0.7}  # fmt: skip
+NO_NEWS = -1.0
+"""Standard deviations from what is expected, below which it is nothing new that a job takes longer
+than so."""
+_NEAR = {"coarse": 0.2, "strain": 0.7, "large strain": 0.7, "drained": 0.7, "steps": 1.0,
+         "turn": 0.7, "closed": 0.7, "pressed": 0.3, "weight": 0.7, "force": 0.7}  # fmt: skip
+_Covariance = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 _SAME = np.array([_NEAR.get(name, 0.1) for name in FEATURES])
 """Differences of features over which questions are neighbours: as a slider moves, or the
 pressure."""
@@ -52,19 +61,24 @@ pressure."""
 class PastJob:
     """A job that has run: what could be told of it, the ``seconds`` it took, the mesh it ended on
     (``level``, 0 the coarsest), and the largest judged estimates [fractions] on meshes where they
-    are known, by level."""
+    are known, by level. ``stopped``: it had not come to its end by then, and ``level`` is the mesh
+    that it had come to at least."""
 
     outlook: Outlook
     seconds: float
     level: int
     errors: Mapping[int, float]
+    stopped: bool = False
 
     @staticmethod
     def of(
-        outlook: Outlook, seconds: float, unknowns: int, estimates: Mapping[str, float | None]
-    ) -> "PastJob":
+        outlook: Outlook, seconds: float, unknowns: int, estimates: Mapping[str, float | None],
+        *, stopped: bool = False,
+    ) -> "PastJob":  # fmt: skip
         """From what an answer says of itself: its ``unknowns`` and its estimated errors by
-        quantity, as fractions."""
+        quantity, as fractions; only the seconds of one that was ``stopped``."""
+        if stopped:
+            return PastJob(outlook, seconds, 0, {}, stopped=True)
         level = outlook.level_of(unknowns)
         known = [e for name in JUDGED if (e := estimates.get(name)) is not None]
         return PastJob(outlook, seconds, level, {level: max(known)} if known else {})
@@ -119,84 +133,190 @@ class TimeEstimate:
         return TimeEstimate(part(0.5), part(0.1), part(0.9), self.learned_from)
 
 
-class CostModel:
-    """Prediction from the jobs of the package's ``record`` and the ``own`` ones of this machine.
-    ``levels``: errors on the meshes of massive bodies (False) and of those whose chambers stand
-    apart (True)."""
+class Known:
+    """What the package's ``record`` says, ready for jobs of a machine to be added. ``levels``:
+    errors on the meshes of massive bodies (False) and of those whose chambers stand apart (True).
+    """
 
     def __init__(
         self,
         record: Sequence[PastJob],
-        own: Sequence[PastJob],
         levels: Mapping[bool, LevelErrors],
         spread: Spread | None = None,
     ) -> None:
-        self._spread = spread or Spread()
-        latest = [job for job in own if job.is_timed][-MOST_JOBS:]
-        self.learned_from = len(latest)
-        jobs = [*record, *latest]
-        self._errors = _Errors(jobs, levels, self._spread)
-        self._x = np.array([job.outlook.features for job in jobs]).reshape(-1, len(FEATURES))
-        self._is_own = np.arange(len(jobs)) >= len(record)
-        rest = np.array([math.log(job.seconds) - job.outlook.work[job.level] for job in jobs])
-        self._level = float(rest.mean()) if len(jobs) else 0.0
-        self._rest = rest - self._level
-        noise = np.full(len(jobs), self._spread.noise**2)
-        together = self._covariance(self._x, self._is_own, self._x, self._is_own)
-        self._factor = _factorise(together, noise)
-        self._wider = 1.0
-        if self._factor is not None:
-            away = _left_out(self._factor, self._rest)
-            if len(jobs) >= ENOUGH:  # a range is as wide as four of five of these jobs needed it
-                self._wider = float(np.clip(np.quantile(away, 0.8) / WITHIN, 1.0, OUTLIER))
-            if (away > OUTLIER).any():
-                noise = noise * np.maximum(away / OUTLIER, 1.0) ** 2
-                self._factor = _factorise(together, noise)
+        self.spread, self.levels = spread or Spread(), levels
+        ended = [job for job in record if not job.stopped]
+        rest = _rest(ended)
+        self.usual = float(rest.mean()) if ended else 0.0
+        self.errors = _Errors(levels, self.spread).learning(record)
+        self.away = np.zeros(0)
+        self.times = _Process(self._covariance)
+        if ended:
+            told = (_features(ended), np.zeros(len(ended)), rest - self.usual)
+            self.times, self.away = self._learnt(self.times, told)
+        self.times = self.learning_stopped(
+            self.times, self.errors, [job for job in record if job.stopped], own=False
+        )
 
-    def predict(self, question: Outlook) -> TimeEstimate:
-        """Time on this machine of one question."""
-        x, own = question.features[None], np.ones(1, dtype=bool)
-        mean, variance = self._level, float(self._covariance(x, own, x, own)[0, 0])
-        if self._factor is not None:
-            cross = self._covariance(x, own, self._x, self._is_own)[0]
-            solved = cho_solve(self._factor, np.stack([self._rest, cross], axis=1))
-            mean += float(cross @ solved[:, 0])
-            variance -= float(cross @ solved[:, 1])
-        deviation = self._wider * math.sqrt(max(variance, 0.0) + self._spread.noise**2)
-        chances = self._errors.ends_on(question)
-        seconds, low, high = _of_mixture(chances, mean + np.array(question.work), deviation)
-        return TimeEstimate(seconds, low, high, self.learned_from)
+    def _learnt(
+        self, before: "_Process", told: tuple[np.ndarray, np.ndarray, np.ndarray]
+    ) -> tuple["_Process", np.ndarray]:
+        """With more jobs (features, whether own, rest of ln t), and by how many standard deviations
+        each differs from what all others say of it; those that differ most count less."""
+        noise = np.full(len(told[0]), self.spread.noise**2)
+        found = before.learning(*told, noise)
+        away = found.left_out(len(noise))
+        if (away > OUTLIER).any():
+            found = before.learning(*told, noise * np.maximum(away / OUTLIER, 1.0) ** 2)
+        return found, away
 
-    def log_likelihood(self) -> float:
-        """Of the jobs learnt from, given :class:`Spread`: what the spreads are chosen by."""
-        if self._factor is None:
-            return 0.0
-        fit = float(self._rest @ cho_solve(self._factor, self._rest))
-        size = 2.0 * float(np.log(np.diag(self._factor[0])).sum())
-        return -0.5 * (fit + size + len(self._rest) * math.log(2 * math.pi))
+    def learning(self, jobs: Sequence[PastJob]) -> tuple["_Process", "_Errors", np.ndarray]:
+        """With a machine's own jobs: of their seconds, of their errors; and how far all jobs that
+        ended are from what the others say."""
+        ended = [job for job in jobs if not job.stopped]
+        errors, times, away = self.errors.learning(jobs), self.times, self.away
+        if ended:
+            told = (_features(ended), np.ones(len(ended)), _rest(ended) - self.usual)
+            times, more = self._learnt(times, told)
+            away = np.concatenate([away, more])
+        stopped = [job for job in jobs if job.stopped]
+        return self.learning_stopped(times, errors, stopped, own=True), errors, away
+
+    def learning_stopped(
+        self, times: "_Process", errors: "_Errors", stopped: Sequence[PastJob], *, own: bool
+    ) -> "_Process":
+        """With what is news about jobs that were stopped."""
+        if not stopped:
+            return times
+        x, tag = _features(stopped), np.full(len(stopped), float(own))
+        mean, variance = times.expected(x, tag)
+        variance = variance + self.spread.noise**2
+        deviation = np.sqrt(variance)
+        least = np.log([job.seconds for job in stopped]) - self.usual - mean
+        at = np.array(
+            [self._least_surprising(job.outlook, errors, least[k], deviation[k])
+             for k, job in enumerate(stopped)]
+        )  # fmt: skip
+        news = np.flatnonzero(at >= NO_NEWS)
+        above = np.array([_above(each) for each in at[news].tolist()]).reshape(-1, 2)
+        middle = mean[news] + above[:, 0] * deviation[news]
+        left = np.clip(above[:, 1], 1e-3, 0.99) * variance[news]  # of what lies above
+        noise = 1.0 / (1.0 / left - 1.0 / variance[news])
+        place = noise * (middle / left - mean[news] / variance[news])
+        return times.learning(x[news], tag[news], place, noise)
+
+    @staticmethod
+    def _least_surprising(
+        question: Outlook, errors: "_Errors", least: float, deviation: float
+    ) -> float:
+        """How many standard deviations beyond what is expected a job has lasted that took longer
+        than exp(``least``) of its usual work: it may have been on its way to any of its meshes, and
+        is taken to have been on the one that explains it best."""
+        at = (least - np.array(question.work)) / deviation
+        return float(at[np.argmax(errors.ends_on(question) * ndtr(-at))])
 
     def _covariance(
         self, a: np.ndarray, a_own: np.ndarray, b: np.ndarray, b_own: np.ndarray
     ) -> np.ndarray:
-        s = self._spread
+        s = self.spread
         alike, near = _kernels(a, b, s.reach)
         linear = s.weight**2 * (a @ b.T)
-        machines = s.machine**2 * (a_own[:, None] & b_own[None])
+        machines = s.machine**2 * (a_own[:, None] * b_own[None])
         return linear + s.memory**2 * alike + s.peculiar**2 * near + machines
 
-
-def _left_out(factor: tuple[np.ndarray, bool], rest: np.ndarray) -> np.ndarray:
-    """Size of every residual (n,) when predicted from all others, in standard deviations."""
-    inverse = cho_solve(factor, np.eye(len(rest)))
-    return np.abs(inverse @ rest) / np.sqrt(np.diag(inverse))
+    def log_likelihood(self) -> float:
+        """Of the record's jobs, given :class:`Spread`: what the spreads are chosen by."""
+        return self.times.log_likelihood()
 
 
-def _factorise(together: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, bool] | None:
-    """Factor of a covariance with noise (n,) on its diagonal; None of nothing."""
-    if not len(noise):
-        return None
-    factor, lower = cho_factor(together + np.diag(noise))
-    return factor, bool(lower)
+def _features(jobs: Sequence[PastJob]) -> np.ndarray:
+    return np.array([job.outlook.features for job in jobs]).reshape(-1, len(FEATURES))
+
+
+def _rest(jobs: Sequence[PastJob]) -> np.ndarray:
+    """(n,) ln t beyond the work that the meshes tell."""
+    return np.array([math.log(job.seconds) - job.outlook.work[job.level] for job in jobs])
+
+
+class CostModel:
+    """Prediction from what is ``known`` and the ``own`` jobs of this machine."""
+
+    def __init__(self, known: Known, own: Sequence[PastJob]) -> None:
+        latest = [job for job in own if job.is_timed][-MOST_JOBS:]
+        self.learned_from = sum(not job.stopped for job in latest)
+        self._known = known
+        self._times, self._errors, away = known.learning(latest)
+        self._wider = 1.0
+        if len(away) >= ENOUGH:  # a range is as wide as four of five of these jobs needed it
+            self._wider = float(np.clip(np.quantile(away, 0.8) / WITHIN, 1.0, OUTLIER))
+
+    def predict(self, question: Outlook) -> TimeEstimate:
+        """Time on this machine of one question."""
+        mean, variance = self._times.expected(question.features[None], np.ones(1))
+        deviation = self._wider * math.sqrt(float(variance[0]) + self._known.spread.noise**2)
+        chances = self._errors.ends_on(question)
+        middles = self._known.usual + float(mean[0]) + np.array(question.work)
+        seconds, low, high = _of_mixture(chances, middles, deviation)
+        return TimeEstimate(seconds, low, high, self.learned_from)
+
+
+class _Process:
+    """A Gaussian process of mean 0 and what has been observed of it, at places told by features
+    (n, f) and a tag (n,). ``covariance``: (k, n) of such places with others."""
+
+    def __init__(self, covariance: _Covariance) -> None:
+        self._covariance = covariance
+        self._x, self._tag = np.zeros((0, len(FEATURES))), np.zeros(0)
+        self._y, self._lower = np.zeros(0), np.zeros((0, 0))
+        self._weights = np.zeros(0)
+
+    def learning(
+        self, x: np.ndarray, tag: np.ndarray, y: np.ndarray, noise: np.ndarray
+    ) -> "_Process":
+        """With more observations (m,), of variance ``noise`` each. The factor of those before is
+        kept, which makes few more of them cheap."""
+        if not len(y):
+            return self
+        found, n = _Process(self._covariance), len(self._y)
+        found._x, found._tag = np.concatenate([self._x, x]), np.concatenate([self._tag, tag])
+        found._y = np.concatenate([self._y, y])
+        found._lower = np.zeros((n + len(y),) * 2)
+        across = self._covariance(self._x, self._tag, x, tag)
+        left = solve_triangular(self._lower, across, lower=True) if n else across
+        corner = self._covariance(x, tag, x, tag) + np.diag(noise) - left.T @ left
+        found._lower[:n, :n], found._lower[n:, :n] = self._lower, left.T
+        found._lower[n:, n:] = cholesky(corner, lower=True)
+        found._weights = cho_solve((found._lower, True), found._y)
+        return found
+
+    def expected(self, x: np.ndarray, tag: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Mean and variance (k,) at places."""
+        mean, across = self.mean(x, tag)
+        prior = np.array(
+            [self._covariance(x[k : k + 1], tag[k : k + 1], x[k : k + 1], tag[k : k + 1])[0, 0]
+             for k in range(len(x))]
+        )  # fmt: skip
+        if not len(self._y):
+            return mean, prior
+        left = solve_triangular(self._lower, across.T, lower=True)
+        return mean, np.maximum(prior - (left**2).sum(axis=0), 0.0)
+
+    def mean(self, x: np.ndarray, tag: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Mean (k,) at places, and their covariance (k, n) with the observations."""
+        across = self._covariance(x, tag, self._x, self._tag)
+        return across @ self._weights, across
+
+    def left_out(self, last: int) -> np.ndarray:
+        """Size (last,) of the last so many residuals, when predicted from all others, in standard
+        deviations."""
+        corner = self._lower[-last:, -last:]
+        spread = np.diag(cho_solve((corner, True), np.eye(last)))
+        return np.abs(self._weights[-last:]) / np.sqrt(spread)
+
+    def log_likelihood(self) -> float:
+        """Of the observations."""
+        size = 2.0 * float(np.log(np.diag(self._lower)).sum())
+        return -0.5 * (float(self._y @ self._weights) + size + len(self._y) * math.log(2 * math.pi))
 
 
 def _kernels(a: np.ndarray, b: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
@@ -236,16 +356,18 @@ class _Errors:
     """What past jobs say of the estimated errors of a question, mesh by mesh: deviations of their
     logarithms from the record's mean, in its standard deviations."""
 
-    def __init__(
-        self, jobs: Sequence[PastJob], levels: Mapping[bool, LevelErrors], spread: Spread
-    ) -> None:
+    def __init__(self, levels: Mapping[bool, LevelErrors], spread: Spread) -> None:
         self._levels, self._spread = levels, spread
+        self._process = _Process(self._covariance)
+
+    def learning(self, jobs: Sequence[PastJob]) -> "_Errors":
+        """With more jobs that ended."""
+        found = _Errors(self._levels, self._spread)
         seen = [(job.outlook, *each) for job in jobs for each in self._of(job)]
-        self._x = np.array([o.features for o, *_ in seen]).reshape(-1, len(FEATURES))
-        self._on = np.array([level for _, level, *_ in seen])
-        self._away = np.array([away for _, _, away, _ in seen])
-        noise = np.array([self._noise + unsure for _, _, _, unsure in seen])
-        self._factor = _factorise(self._covariance(self._x, self._on, self._x, self._on), noise)
+        x = np.array([o.features for o, *_ in seen]).reshape(-1, len(FEATURES))
+        on, away, unsure = np.array([each[1:] for each in seen], dtype=float).reshape(-1, 3).T
+        found._process = self._process.learning(x, on, away, self._noise + unsure)
+        return found
 
     def _of(self, job: PastJob) -> list[tuple[int, float, float]]:
         """(level, deviation, variance about it) of every finer mesh that a job has been on. Where
@@ -277,23 +399,23 @@ class _Errors:
         levels = self._spread.error_levels ** np.abs(a_on[:, None] - b_on[None])
         return levels * (self._spread.error_alike * alike + self._spread.error_near * near)
 
+    def _before_last(self, question: Outlook) -> tuple[np.ndarray, np.ndarray]:
+        """The meshes (k,) on which a job may end before the last, and its features (k, f)."""
+        last = len(question.sizes) - 1
+        on = np.arange(last if question.accuracy is None else question.first, last, dtype=float)
+        return np.repeat(question.features[None], len(on), axis=0), on
+
     def ends_on(self, question: Outlook) -> np.ndarray:
         """Probability (n,) that a job ends on each of its n meshes."""
         chances = np.zeros(len(question.sizes))
-        if question.accuracy is None or question.first == len(chances) - 1:
+        x, on = self._before_last(question)
+        if question.accuracy is None or not len(on):
             chances[-1] = 1.0
             return chances
-        on = np.arange(question.first, len(chances) - 1)
-        mean = np.zeros(len(on))
-        variance = np.full(len(on), self._spread.error_alike + self._spread.error_near)
-        if self._factor is not None:
-            x = np.repeat(question.features[None], len(on), axis=0)
-            cross = self._covariance(x, on, self._x, self._on)
-            mean = cross @ cho_solve(self._factor, self._away)
-            variance = variance - np.einsum("kn,nk->k", cross, cho_solve(self._factor, cross.T))
-        deviation = np.sqrt(np.maximum(variance, 0.0) + self._noise)
+        mean, variance = self._process.expected(x, on)
+        deviation = np.sqrt(variance + self._noise)
         reached = 1.0
-        for k, level in enumerate(on.tolist()):
+        for k, level in enumerate(on.astype(int).tolist()):
             asked = self._deviation(question, level, math.log(question.accuracy))
             ends = float(ndtr((asked - mean[k]) / deviation[k]))
             chances[level], reached = reached * ends, reached * (1.0 - ends)

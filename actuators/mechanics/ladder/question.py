@@ -23,13 +23,14 @@ from actuators.meshing.levels import MeshChoice, layers_of, levels_of
 
 FEATURES = (
     "one", "coarse", "oblique", "printed", "bellows", "linear", "strain", "large strain",
-    "suction", "volume", "obstacle", "walls meet", "watched", "steps", "turn", "closed", "pressed",
-    "weight", "force",
+    "suction", "drained", "volume", "obstacle", "walls meet", "watched", "steps", "turn", "closed",
+    "pressed", "weight", "force",
 )  # fmt: skip
-"""What a question is described by, in the order of :attr:`Outlook.features`. ``turn``: of the free
-end by the linear cell; ``closed``: how many times over neighbouring walls would close their gap;
-``pressed``: how far beyond an obstacle's surface the body would move freely, over its way;
-``weight``, ``force``: what weight, and other loads, do to the tip, over its way."""
+"""What a question is described by, in the order of :attr:`Outlook.features`. ``drained``: share of
+its air that suction takes from the linear cavity; ``turn``: of the free end by the linear cell;
+``closed``: how many times over neighbouring walls would close their gap; ``pressed``: how far
+beyond an obstacle's surface the body would move freely, over its way; ``weight``, ``force``: what
+weight, and other loads, do to the tip, over its way."""
 
 WALL_STRAIN = {"slab": 0.3, "oblique": 0.3, "printed": 0.15, "bellows": 0.06}
 """Largest strain [-] of the linear cell from which on a solve takes more steps: slabs come near
@@ -177,6 +178,7 @@ def outlook(
         "strain": 0.0 if linear else math.log(max(share, 0.02)),
         "large strain": 0.0 if linear else math.log(max(share, 1.0)),
         "suction": float(suction),
+        "drained": _log(_drained(forecast), 0.03, 1.0),
         "volume": float(scene.volume_to is not None and not linear),
         "obstacle": float(decided.on("plate_contact") or decided.on("cylinder_contact")),
         "walls meet": float(decided.on("self_contact")),
@@ -210,6 +212,13 @@ def _turn(forecast: Forecast) -> float:
     """By which the pressure alone turns the free end [rad], as the linear cells have it."""
     strains = forecast.inflation[:, 1:]
     return float(np.linalg.norm((strains * forecast.rod.length[:, None]).sum(axis=0)))
+
+
+def _drained(forecast: Forecast) -> float:
+    """Share of its air that suction takes from the linear cavity."""
+    row = forecast.row
+    taken = -forecast.pressure * float(row.cavity_compliance.sum())
+    return max(taken / float(row.cavity_volume.sum()), 0.0)
 
 
 def _closed(forecast: Forecast) -> float:

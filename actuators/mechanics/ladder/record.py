@@ -6,15 +6,15 @@ how it was measured.
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from typing import Any
 
 import numpy as np
 
-from actuators.mechanics.ladder.cost import CostModel, PastJob, Spread
+from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, Spread
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors, Outlook, work_by_level
 
 FILE = "cost_record.json"
@@ -31,9 +31,14 @@ class CostRecord:
     level_errors: Mapping[bool, LevelErrors]
     source: str
 
-    def model(self, own: list[PastJob]) -> CostModel:
+    @cached_property
+    def known(self) -> Known:
+        """What it says, worked out once."""
+        return Known(self.jobs, self.level_errors, self.spread)
+
+    def model(self, own: Sequence[PastJob]) -> CostModel:
         """Prediction from this record and a machine's ``own`` jobs."""
-        return CostModel(self.jobs, own, self.level_errors, self.spread)
+        return CostModel(self.known, own)
 
 
 @cache
@@ -76,6 +81,7 @@ def job_document(job: PastJob) -> dict[str, Any]:
         "seconds": round(job.seconds, 4),
         "level": job.level,
         "errors": {str(level): float(f"{error:.3g}") for level, error in job.errors.items()},
+        **({"stopped": True} if job.stopped else {}),
     }
 
 
@@ -96,4 +102,5 @@ def job_of_document(entry: Mapping[str, Any]) -> PastJob:
             None if accuracy is None else float(accuracy), bool(entry["stands_apart"]),
         ),
         seconds, level, {int(k): float(e) for k, e in entry["errors"].items()},
+        stopped=bool(entry.get("stopped", False)),
     )  # fmt: skip

@@ -60,6 +60,20 @@ def test_finite_elements_run_are_measured_and_remembered(own_folder: Path) -> No
     assert again["learned_from_jobs"] == 1
 
 
+def test_what_was_stopped_is_expected_to_take_longer(own_folder: Path) -> None:
+    """The next command has learnt from it, though it is no job that ended."""
+    wanted = (*SMALL, "--pressure", "3kPa", "--run", "none")
+    before = by_label(answer(*wanted))["fe 10 %"]["seconds"]
+    design = preset(SMALL[0]).design.changed(chamber_count=2, length=35.0)
+    stopped = Response(
+        design, Scene(3e3), "fe", Outcome.BUDGET_SPENT, (), wall_s=300.0, cpu_s=200.0, unknowns=0
+    )
+    remember(stopped, Rung("fe", 0.1))
+    document = answer(*wanted)
+    assert by_label(document)["fe 10 %"]["seconds"]["value"] > 10 * before["value"]
+    assert document["learned_from_jobs"] == 0
+
+
 def test_the_first_job_of_a_process_is_remembered_without_its_loading(own_folder: Path) -> None:
     design = preset("slab-rectangle-low").design
     short = Response(
@@ -71,8 +85,9 @@ def test_the_first_job_of_a_process_is_remembered_without_its_loading(own_folder
     remember(replace(short, wall_s=12.0, cpu_s=8.0), Rung("fe", 0.3), is_first=True)
     remember(replace(short, cpu_s=None), Rung("fe", 0.3))
     remember(replace(short, outcome=Outcome.CANCELLED), Rung("fe", 0.3))
-    lines = (own_folder / "past_jobs.jsonl").read_text().splitlines()
-    assert [json.loads(line)["seconds"] for line in lines] == [6.0, 4.0]
+    lines = map(json.loads, (own_folder / "past_jobs.jsonl").read_text().splitlines())
+    kept = [(line["seconds"], line.get("stopped", False)) for line in lines]
+    assert kept == [(6.0, False), (4.0, False), (2.0, True)]
 
 
 def test_a_budget_that_nothing_fits_runs_nothing_and_is_stated() -> None:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 from collections.abc import Callable
 from dataclasses import replace
@@ -61,6 +62,10 @@ def test_progress_goes_to_standard_error_and_the_answer_to_standard_output(
     assert document["rung"] == "fe"
     assert document["error_estimate_percent"] == pytest.approx(1.2)
     assert "50 %  half way" in result.stderr
+    expected = re.search(r"Expected to take (\S+) s \(.*: (\S+) to (\S+) s\)", result.stderr)
+    assert expected is not None
+    seconds, low, high = (float(number) for number in expected.groups())
+    assert 0.0 < low <= seconds <= high
 
 
 def test_accuracy_is_a_fraction_for_the_solver(monkeypatch: pytest.MonkeyPatch) -> None:

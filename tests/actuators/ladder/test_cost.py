@@ -9,6 +9,7 @@ import pytest
 from actuators.mechanics.ladder import (
     FEATURES,
     CostModel,
+    Known,
     Outlook,
     PastJob,
     TimeEstimate,
@@ -47,7 +48,7 @@ def jobs(rng: np.random.Generator, count: int, *, pace: float, noise: float = 0.
 
 
 def model(record: Sequence[PastJob], own: Sequence[PastJob], **more: float) -> CostModel:
-    return CostModel(record, own, LEVELS, Spread(**more))
+    return CostModel(Known(record, LEVELS, Spread(**more)), own)
 
 
 def share_within(costs: CostModel, asked: Sequence[PastJob], factor: float) -> float:
@@ -116,8 +117,7 @@ def test_a_job_is_expected_to_end_on_the_mesh_where_its_neighbours_did() -> None
     small = PastJob(replace(asked, accuracy=0.1), 2.0, 1, {1: 0.01})
     large = PastJob(replace(asked, accuracy=0.1), 2.0, 1, {1: 0.08})
     ends, goes_on = (
-        CostModel(record, [job], LEVELS, Spread(error_near=0.55)).predict(asked).seconds
-        for job in (small, large)
+        model(record, [job], error_near=0.55).predict(asked).seconds for job in (small, large)
     )
     assert goes_on > 2 * ends
 
@@ -126,7 +126,8 @@ def test_between_two_ends_the_likelier_one_is_told_and_the_range_holds_both() ->
     """A compromise between the two would be wrong for either."""
     rng, sizes = np.random.default_rng(7), (5000, 15000, 90000)
     levels = {False: LevelErrors((float(np.log(0.05)) + 0.2, -9.0), (0.5, 0.5))}
-    costs = CostModel(jobs(rng, 60, pace=1.0), jobs(rng, 20, pace=1.0), levels, Spread(noise=0.05))
+    known = Known(jobs(rng, 60, pace=1.0), levels, Spread(noise=0.05))
+    costs = CostModel(known, jobs(rng, 20, pace=1.0))
     asked = question(sizes=sizes, accuracy=0.05)
     found, first = costs.predict(asked), np.exp(asked.work[1])
     assert found.seconds == pytest.approx(np.exp(asked.work[2]), rel=0.3)
@@ -158,6 +159,38 @@ def test_an_estimate_moves_up_once_seconds_have_been_spent_in_vain() -> None:
     assert later.seconds == pytest.approx(10.0 * np.exp(1.6449 * deviation), rel=1e-3)
     hopeless = first.longer_than(1e6)
     assert np.isfinite([hopeless.low, hopeless.high]).all()
+
+
+def test_a_job_that_was_stopped_teaches_that_it_takes_longer() -> None:
+    """As one that ended long after, for it and its neighbours; not where it was stopped sooner than
+    such jobs end, and it is not among those that ended."""
+    rng = np.random.default_rng(9)
+    record, own = jobs(rng, 60, pace=1.0), jobs(rng, 10, pace=1.0)
+    asked, away = question(coarse=0.5, strain=1.0), question(coarse=3.0, strain=-4.0)
+    usual = model(record, own).predict(asked)
+    stopped = PastJob.of(asked, 20 * usual.seconds, 5000, {"tip": 0.01}, stopped=True)
+    taught = model(record, [*own, stopped])
+    found = taught.predict(asked)
+    assert found.seconds > 12 * usual.seconds
+    assert found.high > 20 * usual.seconds
+    assert taught.learned_from == 10
+    there = model(record, own).predict(away).seconds
+    assert taught.predict(away).seconds == pytest.approx(there, rel=0.3)
+    soon = PastJob.of(asked, usual.seconds / 20, 5000, {}, stopped=True)
+    assert model(record, [*own, soon]).predict(asked) == usual
+    kept = job_of_document(job_document(stopped))
+    assert kept.stopped
+    assert not kept.errors
+    assert kept.seconds == pytest.approx(stopped.seconds, abs=1e-4)
+
+
+def test_only_stopped_jobs_teach_too() -> None:
+    asked = question(sizes=(5000, 15000), accuracy=0.05)
+    before = model([], []).predict(asked)
+    stopped = PastJob.of(asked, 1e3 * before.seconds, 5000, {}, stopped=True)
+    found = model([], [stopped]).predict(asked)
+    assert before.high < found.seconds < found.high < np.inf
+    assert found.learned_from == 0
 
 
 def test_more_accuracy_is_more_time() -> None:
