@@ -14,6 +14,7 @@ from backend.live.feed import EventFeed
 from backend.settings import Settings, from_environment
 from backend.simulations.aside import Aside
 from backend.simulations.instant import warm
+from backend.simulations.past_jobs import read_record
 from backend.simulations.queue import TaskQueue
 from backend.viewer import front
 from backend.viewer.rooms import RoomKeeper
@@ -58,6 +59,7 @@ async def _life(app: FastAPI) -> AsyncGenerator[None]:
         asyncio.create_task(queue.keep_publishing(store)),
         asyncio.create_task(rooms.keep_sweeping()),
         asyncio.create_task(asyncio.to_thread(warm)),
+        asyncio.create_task(asyncio.to_thread(read_record)),
     ]
     try:
         yield

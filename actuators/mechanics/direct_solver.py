@@ -74,6 +74,16 @@ def _pardiso() -> Any:
     return PyPardisoSolver(mtype=-2).libmkl.pardiso  # type: ignore[union-attr]
 
 
+def _integers(array: np.ndarray) -> Any:
+    """Pointer to the data; the array must outlive it."""
+    return array.ctypes.data_as(ctypes.POINTER(ctypes.c_int32))
+
+
+def _numbers(array: np.ndarray) -> ctypes.c_void_p:
+    """Pointer to the data; the array must outlive it."""
+    return ctypes.c_void_p(array.ctypes.data)
+
+
 class PardisoSolver(SymmetricSolver):
     """MKL Pardiso; the symbolic analysis is done once and kept."""
 
@@ -84,6 +94,11 @@ class PardisoSolver(SymmetricSolver):
         self._iparm = np.zeros(64, dtype=np.int32)
         for number, value in _IPARM.items():
             self._iparm[number - 1] = value
+        self._kept = (
+            self._handle.ctypes.data_as(ctypes.POINTER(ctypes.c_int64)),
+            _integers(self._perm),
+            _integers(self._iparm),
+        )
         self._analysed = False
         self.adopt(indptr, indices)
 
@@ -92,6 +107,7 @@ class PardisoSolver(SymmetricSolver):
         self._size = len(indptr) - 1
         self._ia = (indptr + 1).astype(np.int32)
         self._ja = (indices + 1).astype(np.int32)
+        self._pattern = _integers(self._ia), _integers(self._ja)
         self._values = np.zeros(len(indices))
         self._factorised = False
 
@@ -139,17 +155,12 @@ class PardisoSolver(SymmetricSolver):
         def integer(value: int) -> Any:
             return ctypes.byref(ctypes.c_int32(value))
 
-        def pointer(array: np.ndarray, kind: Any) -> Any:
-            return array.ctypes.data_as(ctypes.POINTER(kind))
-
         error = ctypes.c_int32(0)
+        handle, perm, iparm = self._kept
         self._call(
-            pointer(self._handle, ctypes.c_int64), integer(1), integer(1), integer(-2),
-            integer(phase), integer(self._size), pointer(self._values, ctypes.c_double),
-            pointer(self._ia, ctypes.c_int32), pointer(self._ja, ctypes.c_int32),
-            pointer(self._perm, ctypes.c_int32), integer(columns),
-            pointer(self._iparm, ctypes.c_int32), integer(0), pointer(b, ctypes.c_double),
-            pointer(x, ctypes.c_double), ctypes.byref(error),
+            handle, integer(1), integer(1), integer(-2), integer(phase), integer(self._size),
+            _numbers(self._values), *self._pattern, perm, integer(columns), iparm, integer(0),
+            _numbers(b), _numbers(x), ctypes.byref(error),
         )  # fmt: skip
         if error.value != 0:
             raise FactorizationError(f"Pardiso ended with error {error.value} in phase {phase}")

@@ -158,6 +158,11 @@ class Known:
             self.times, self.errors, [job for job in record if job.stopped], own=False
         )
 
+    @property
+    def count(self) -> int:
+        """Jobs that ended."""
+        return len(self.away)
+
     def _learnt(
         self, before: "_Process", told: tuple[np.ndarray, np.ndarray, np.ndarray]
     ) -> tuple["_Process", np.ndarray]:
@@ -193,10 +198,12 @@ class Known:
         variance = variance + self.spread.noise**2
         deviation = np.sqrt(variance)
         least = np.log([job.seconds for job in stopped]) - self.usual - mean
-        at = np.array(
-            [self._least_surprising(job.outlook, errors, least[k], deviation[k])
-             for k, job in enumerate(stopped)]
-        )  # fmt: skip
+        chances = errors.ends_on([job.outlook for job in stopped])
+        at = np.zeros(len(stopped))
+        for k, job in enumerate(stopped):
+            # it may have been on its way to any of its meshes: the one that explains it best
+            by_mesh = (least[k] - np.array(job.outlook.work)) / deviation[k]
+            at[k] = by_mesh[np.argmax(chances[k] * ndtr(-by_mesh))]
         news = np.flatnonzero(at >= NO_NEWS)
         above = np.array([_above(each) for each in at[news].tolist()]).reshape(-1, 2)
         middle = mean[news] + above[:, 0] * deviation[news]
@@ -204,16 +211,6 @@ class Known:
         noise = 1.0 / (1.0 / left - 1.0 / variance[news])
         place = noise * (middle / left - mean[news] / variance[news])
         return times.learning(x[news], tag[news], place, noise)
-
-    @staticmethod
-    def _least_surprising(
-        question: Outlook, errors: "_Errors", least: float, deviation: float
-    ) -> float:
-        """How many standard deviations beyond what is expected a job has lasted that took longer
-        than exp(``least``) of its usual work: it may have been on its way to any of its meshes, and
-        is taken to have been on the one that explains it best."""
-        at = (least - np.array(question.work)) / deviation
-        return float(at[np.argmax(errors.ends_on(question) * ndtr(-at))])
 
     def _covariance(
         self, a: np.ndarray, a_own: np.ndarray, b: np.ndarray, b_own: np.ndarray
@@ -254,7 +251,7 @@ class CostModel:
         """Time on this machine of one question."""
         mean, variance = self._times.expected(question.features[None], np.ones(1))
         deviation = self._wider * math.sqrt(float(variance[0]) + self._known.spread.noise**2)
-        chances = self._errors.ends_on(question)
+        (chances,) = self._errors.ends_on([question])
         middles = self._known.usual + float(mean[0]) + np.array(question.work)
         seconds, low, high = _of_mixture(chances, middles, deviation)
         return TimeEstimate(seconds, low, high, self.learned_from)
@@ -291,27 +288,22 @@ class _Process:
 
     def expected(self, x: np.ndarray, tag: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Mean and variance (k,) at places."""
-        mean, across = self.mean(x, tag)
+        across = self._covariance(x, tag, self._x, self._tag)
         prior = np.array(
             [self._covariance(x[k : k + 1], tag[k : k + 1], x[k : k + 1], tag[k : k + 1])[0, 0]
              for k in range(len(x))]
         )  # fmt: skip
-        if not len(self._y):
-            return mean, prior
+        if not len(self._y) or not len(x):
+            return across @ self._weights, prior
         left = solve_triangular(self._lower, across.T, lower=True)
-        return mean, np.maximum(prior - (left**2).sum(axis=0), 0.0)
-
-    def mean(self, x: np.ndarray, tag: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Mean (k,) at places, and their covariance (k, n) with the observations."""
-        across = self._covariance(x, tag, self._x, self._tag)
-        return across @ self._weights, across
+        return across @ self._weights, np.maximum(prior - (left**2).sum(axis=0), 0.0)
 
     def left_out(self, last: int) -> np.ndarray:
         """Size (last,) of the last so many residuals, when predicted from all others, in standard
         deviations."""
         corner = self._lower[-last:, -last:]
-        spread = np.diag(cho_solve((corner, True), np.eye(last)))
-        return np.abs(self._weights[-last:]) / np.sqrt(spread)
+        inverse = solve_triangular(corner, np.eye(last), lower=True)
+        return np.abs(self._weights[-last:]) / np.sqrt((inverse**2).sum(axis=0))
 
     def log_likelihood(self) -> float:
         """Of the observations."""
@@ -399,28 +391,31 @@ class _Errors:
         levels = self._spread.error_levels ** np.abs(a_on[:, None] - b_on[None])
         return levels * (self._spread.error_alike * alike + self._spread.error_near * near)
 
-    def _before_last(self, question: Outlook) -> tuple[np.ndarray, np.ndarray]:
-        """The meshes (k,) on which a job may end before the last, and its features (k, f)."""
-        last = len(question.sizes) - 1
-        on = np.arange(last if question.accuracy is None else question.first, last, dtype=float)
-        return np.repeat(question.features[None], len(on), axis=0), on
-
-    def ends_on(self, question: Outlook) -> np.ndarray:
+    def ends_on(self, questions: Sequence[Outlook]) -> list[np.ndarray]:
         """Probability (n,) that a job ends on each of its n meshes."""
-        chances = np.zeros(len(question.sizes))
-        x, on = self._before_last(question)
-        if question.accuracy is None or not len(on):
-            chances[-1] = 1.0
-            return chances
-        mean, variance = self._process.expected(x, on)
+        lasts = [len(question.sizes) - 1 for question in questions]
+        between = [
+            list(range(last if question.accuracy is None else question.first, last))
+            for question, last in zip(questions, lasts, strict=True)
+        ]
+        places = [question.features for question, on in zip(questions, between, strict=True)
+                  for _ in on]  # fmt: skip
+        levels = np.array([level for on in between for level in on], dtype=float)
+        x = np.array(places).reshape(-1, len(FEATURES))
+        mean, variance = self._process.expected(x, levels)
         deviation = np.sqrt(variance + self._noise)
-        reached = 1.0
-        for k, level in enumerate(on.astype(int).tolist()):
-            asked = self._deviation(question, level, math.log(question.accuracy))
-            ends = float(ndtr((asked - mean[k]) / deviation[k]))
-            chances[level], reached = reached * ends, reached * (1.0 - ends)
-        chances[-1] += reached
-        return chances
+        found: list[np.ndarray] = []
+        k = 0
+        for question, on, last in zip(questions, between, lasts, strict=True):
+            chances, reached = np.zeros(last + 1), 1.0
+            for level in on:
+                asked = self._deviation(question, level, math.log(question.accuracy or 1.0))
+                ends = float(ndtr((asked - mean[k]) / deviation[k]))
+                chances[level], reached = reached * ends, reached * (1.0 - ends)
+                k += 1
+            chances[last] += reached
+            found.append(chances)
+        return found
 
 
 def _above(least: float) -> tuple[float, float]:

@@ -66,8 +66,8 @@ def carried(
 ) -> np.ndarray:
     """(n, 3) where nodes with these sites and images are, sites at ``place`` (s, 3)."""
     at = place[site]
-    for kind in np.unique(image[image != Image.ITSELF]):
-        mine = image == kind
+    for kind in list(Image)[1:]:
+        mine = np.flatnonzero(image == kind)
         at[mine] = at[mine] @ motions[kind].rotation.T + motions[kind].shift
     return at
 

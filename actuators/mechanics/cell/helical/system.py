@@ -79,7 +79,8 @@ class CellSystem:
             self._site = np.concatenate([self._site, walls.site])
             self._image = np.concatenate([self._image, walls.image])
         self._still = self._image == Image.ITSELF
-        self._moving = np.flatnonzero(~self._still)
+        images = {Image(n) for n in np.unique(self._image).tolist()} - {Image.ITSELF}
+        self._moved = [(n, np.flatnonzero(self._image == n)) for n in sorted(images)]
         rank = np.cumsum(outer) - 1
         self._rim = rim_of(domain)
         self._rim_rank = rank[self._rim.nodes]
@@ -223,8 +224,7 @@ class CellSystem:
         force = np.concatenate([force, self._geometry(state).walls])
         motions = self._geometry(state).motions
         wide = np.zeros((count + numbering.border + 1, len(strains)))  # the last row takes the held
-        for image in np.unique(self._image[self._moving]):
-            mine = np.flatnonzero(self._image == image)
+        for image, mine in self._moved:
             m, sign = motions[image], numbering.sign[image]
             rows = numbering.unknown[mine, :3]
             turned = sign * np.einsum("kji,nj->nik", m.turn_rate[strains], force[mine])
@@ -254,8 +254,7 @@ class CellSystem:
         motion = np.zeros((len(self._site), 3, WIDTH))
         motion[:, :, :3] = np.eye(3)
         motions = seen.motions
-        for image in np.unique(self._image[self._moving]):
-            mine = np.flatnonzero(self._image == image)
+        for image, mine in self._moved:
             m: Motion = motions[image]
             motion[mine, :, :3] = numbering.sign[image] * m.rotation
             at = state.place[self._site[mine]]
