@@ -45,7 +45,7 @@ def print_ladder(
     learned = built.learned_from
     click.echo(
         "~: predicted, from "
-        + (f"{learned} past jobs of this machine" if learned else "no job of this machine yet")
+        + past_jobs(learned)
         + " and the package's record; a range holds four of five."
         + (" Beside the seconds of a run stands what was predicted before it." if before else "")
     )
@@ -60,6 +60,13 @@ def print_ladder(
     for point in {p.rung.name: p for p in built.points}.values():
         if point.state != "refused" and point.rung.leaves_out:
             click.echo(f"  {point.rung.name} leaves out: {', '.join(point.rung.leaves_out)}.")
+
+
+def past_jobs(learned: int) -> str:
+    """In words, how many a prediction rests on."""
+    if not learned:
+        return "no job of this machine yet"
+    return f"{learned} past job{'s' if learned > 1 else ''} of this machine"
 
 
 def _row(point: Point, before: Span | None) -> list[str]:

@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from actuators.cli.ladder_table import past_jobs
 from actuators.design import Design
 from actuators.errors import InputError
 from actuators.mechanics.ladder import (
@@ -82,11 +83,9 @@ def tell_expected(design: Design, scene: Scene, rung: Rung) -> None:
     except InputError:
         return
     seconds, low, high = map(two_digits, (expected.seconds, expected.low, expected.high))
-    learned = expected.learned_from
     click.echo(
         f"Expected to take {seconds} s (four of five such jobs: {low} to {high} s), from "
-        + (f"{learned} past jobs" if learned else "no past job")
-        + " of this machine and the package's record.",
+        f"{past_jobs(expected.learned_from)} and the package's record.",
         err=True,
     )
 

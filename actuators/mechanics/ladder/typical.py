@@ -20,6 +20,7 @@ from actuators.design import Design
 from actuators.mechanics.cell.row import chamber_row
 from actuators.mechanics.ladder.points import Typical
 from actuators.mechanics.response import Response
+from actuators.mechanics.scene import Scene
 
 FILE = "typical_errors.json"
 FEW = 5
@@ -140,13 +141,14 @@ def _map(entry: Mapping[str, Any]) -> ErrorMap:
 
 
 def typical_at(
-    rung: str, design: Design, strain: float, *, suction: bool = False
+    rung: str, design: Design, strain: float, *, suction: bool = False, obstacle: bool = False
 ) -> Typical | None:
     """Typical error of ``rung`` for a design's family at a largest ``strain`` of its linear cell;
-    None where nothing is known, as of ``suction``, under which nobody measured."""
+    None where nothing is known, as under ``suction`` and beside an ``obstacle``: nobody measured.
+    """
     maps = error_maps()
     found = maps.get((rung, design.family)) or maps.get((rung, "any"))
-    if found is None or suction:
+    if found is None or suction or obstacle:
         return None
     typical = found.at(strain, _trait(found.trait, cast(Any, design)))
     chambers = int(getattr(design, "chamber_count"))  # noqa: B009 (every family has one)
@@ -156,13 +158,22 @@ def typical_at(
     return Typical(more * typical.half, more * typical.most, typical.source)
 
 
+def has_obstacle(scene: Scene) -> bool:
+    """Whether there is anything to touch."""
+    return scene.plate is not None or scene.cylinder is not None
+
+
 def typical_error(design: Design, response: Response) -> tuple[Typical | None, ...]:
     """Typical error of an instant ``response`` at every point of its path; None where nothing is
     known. Solves the periodic cell, unless it is kept from the response."""
     per_pressure = 1e-3 / _trait("pressure_per_strain_kPa", cast(Any, design))
     return tuple(
         typical_at(
-            response.rung, design, per_pressure * abs(point.pressure), suction=point.pressure < 0.0
+            response.rung,
+            design,
+            per_pressure * abs(point.pressure),
+            suction=point.pressure < 0.0,
+            obstacle=has_obstacle(response.scene),
         )
         for point in response.path
     )

@@ -84,7 +84,7 @@ function Unrefined() {
 
 function learned(found: Ladder | null): string {
   const jobs = found?.learned_from_jobs ?? 0;
-  return `The tip's error, in percent of the tip's whole way from the straight body, its sag under weight included, and the time of every model for this design in this scene. Predicted times rest on ${jobs} past jobs of this machine, beside the shipped record.`;
+  return `The tip's error, in percent of the tip's whole way from the straight body, its sag under weight included, and the time of every model for this design in this scene. Predicted times rest on ${jobs === 1 ? "1 past job" : `${jobs} past jobs`} of this machine, beside the shipped record.`;
 }
 
 /** Rungs without a place in the plane, each with its reason. */

@@ -142,5 +142,6 @@ def test_typical_errors_grow_where_chambers_are_few_and_are_not_told_of_suction(
     assert wider is not None
     assert wider.half == pytest.approx(5 * typical.half)
     assert typical_at("cell-rod", SLAB, 0.05, suction=True) is None
+    assert typical_at("cell-rod", SLAB, 0.05, obstacle=True) is None
     sucked = typical_error(SLAB, predict(SLAB, Scene(-2e3, steps=2), rung="cell-rod"))
     assert [each is None for each in sucked] == [False, True, True]
