@@ -8,6 +8,7 @@ from actuators.cli.tables import table
 from actuators.mechanics.ladder import Choice, Ladder, Point, Rung
 from actuators.mechanics.ladder.points import Span
 from actuators.mechanics.response import Outcome
+from actuators.mechanics.scene import Scene
 from actuators.quantities import kilopascals, percent, two_digits
 
 HEADINGS = (
@@ -31,6 +32,8 @@ def print_ladder(
     run of this command."""
     before = predicted or {}
     click.echo(table(HEADINGS, [_row(point, before.get(point.rung)) for point in built.points]))
+    if built.scene.forced:
+        click.echo(f"\nBy hand: {', '.join(_by_hand(built.scene))}.")
     best = built.best
     if best is not None:
         lost = ", which may be anywhere there by its own estimate" if best.may_be_anywhere else ""
@@ -60,6 +63,10 @@ def print_ladder(
     for point in {p.rung.name: p for p in built.points}.values():
         if point.state != "refused" and point.rung.leaves_out:
             click.echo(f"  {point.rung.name} leaves out: {', '.join(point.rung.leaves_out)}.")
+
+
+def _by_hand(scene: Scene) -> list[str]:
+    return [f"{name.replace('_', ' ')} {choice}" for name, choice in scene.forced.items()]
 
 
 def past_jobs(learned: int) -> str:

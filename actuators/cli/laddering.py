@@ -123,6 +123,7 @@ class Session:
         for rung in ladder_rungs():
             if not rung.is_instant:
                 continue
+            click.echo(f"{rung.label}:", err=True)
             found = ask_instant(self.design, self.scene, rung)
             if isinstance(found, str):
                 self.refusals[rung] = found

@@ -7,7 +7,7 @@ from typing import Any
 from actuators.design import Design
 from actuators.errors import QuestionError
 from actuators.mechanics import predict as instant
-from actuators.mechanics.cell.row import chamber_row
+from actuators.mechanics.cell.row import chamber_row, row_cells
 from actuators.mechanics.ladder.answer import Answer
 from actuators.mechanics.ladder.choice import Choice
 from actuators.mechanics.ladder.cost import CostModel, TimeEstimate
@@ -26,9 +26,16 @@ from actuators.mechanics.scene import Scene
 INSTANT_SECONDS: Mapping[str, TimeEstimate] = {
     "closed-form": TimeEstimate(0.001, 0.0003, 0.01, 0),
     "energy": TimeEstimate(0.02, 0.002, 0.06, 0),
-    "cell-rod": TimeEstimate(0.5, 0.02, 2.0, 0),
 }
 """Seconds of instant rungs that have not run (docs/performance.md); they are mostly run at once."""
+NEW_CELL_S = {"slab": 0.4, "oblique": 2.2, "printed": 1.3, "bellows": 0.9}
+"""Of cell-rod whose chambers are new, with what its body takes (docs/cell_rod.md)."""
+FURTHER_CELL_S = 0.25
+"""Of every further chamber where the planform tapers."""
+KEPT_CELL_S = 0.02
+"""Of cell-rod where its chambers are known."""
+SLOWER = 3.0
+"""Times as long as usual, where four of five answers are there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +124,9 @@ def build_ladder(
 
 def expected_time(design: Design, scene: Scene, rung: Rung, costs: CostModel) -> TimeEstimate:
     """Seconds that a rung is expected to take."""
+    if rung.name == "cell-rod":
+        usual = NEW_CELL_S[design.family] + FURTHER_CELL_S * (len(row_cells(design)[0]) - 1)
+        return TimeEstimate(usual, KEPT_CELL_S, SLOWER * usual, 0)
     if rung.is_instant:
         return INSTANT_SECONDS[rung.name]
     return costs.predict(outlook(design, scene, accuracy=rung.accuracy, mesh=rung.mesh))

@@ -16,6 +16,16 @@ function drawn(change: Partial<Result>, more: Partial<Drawn> = {}): Drawn {
   return { result, answered, typical, leftOut: [], totalMs: null, replaced: null, ...more };
 }
 
+const tips = (...x3: number[]): Result["path"] =>
+  x3.map((z, n) => ({ ...path[n], tip_displacement_mm: [0, 0, z] })) as unknown as Result["path"];
+
+it("says what an error of the whole way means for inflation where weight makes most of it", () => {
+  const rod = (moved: Result["path"]) => words(drawn({ rung: "cell-rod", error_estimate_percent: 10, path: moved }), null);
+  expect(rod(tips(-36, -35.8, -35.6))).toBe("within 10 % of 3D by its own estimate, up to 900 % of what inflation does");
+  expect(rod(tips(-36, -35.9, -35.8))).toBe("within 10 % of 3D by its own estimate, over 1000 % of what inflation does");
+  expect(rod(tips(-10, -20, -40))).toBe("within 10 % of 3D by its own estimate");
+});
+
 function words(of: Drawn, at: number | null, held: LadderPoint | null = null): string | undefined {
   return offInWords(of, at, "pressure", held)?.text;
 }

@@ -19,15 +19,30 @@ export function offInWords(drawn: Drawn, at: number | null, control: Control, he
   const { result } = drawn;
   const last = result.path.length - 1;
   const here = at === null ? last : nearestPoint(result, at, control);
-  if (result.rung === "cell-rod") return held?.error_kind === "against best" ? measured(held) : estimated(result, here, control);
+  if (result.rung === "cell-rod") return held?.error_kind === "against best" ? measured(held, result) : estimated(result, here, control);
   return drawn.leftOut.length > 0 || isBeyond(result, here, control) ? null : typically(drawn, here, last, control);
 }
 
-function measured(point: LadderPoint): Off | null {
+/** The whole way of the tip over what inflation makes of it, from which on it is said what an error of the way means
+ * for that (docs/theory.md: loads come first, then inflation). */
+const MOSTLY_SAG = 2;
+
+/** ", up to 940 % of what inflation does" where the loads before inflation make most of the tip's way; else nothing. */
+function ofInflation(result: Result, percent: number): string {
+  const tips = result.path.map((point) => point.tip_displacement_mm?.map((x) => x ?? 0) ?? [0, 0, 0]);
+  const start = tips[0] ?? [0, 0, 0];
+  const way = Math.max(0, ...tips.map((tip) => Math.hypot(...tip)));
+  const inflation = Math.max(0, ...tips.map((tip) => Math.hypot(...tip.map((x, n) => x - (start[n] ?? 0)))));
+  if (inflation === 0 || way < MOSTLY_SAG * inflation) return "";
+  const share = formatPercent((percent * way) / inflation);
+  return `, ${/^\d/.test(share) ? `up to ${share}` : share} of what inflation does`;
+}
+
+function measured(point: LadderPoint, result: Result): Off | null {
   if (point.error_percent === null) return null;
   const at = point.compared_at_kPa === null ? "" : ` at ${kPa(point.compared_at_kPa)}`;
   return {
-    text: `${formatPercent(point.error_percent.value)} from ${inWords(point.error_source ?? "the best answer")}${at}`,
+    text: `${formatPercent(point.error_percent.value)} from ${inWords(point.error_source ?? "the best answer")}${at}${ofInflation(result, point.error_percent.value)}`,
     title: `Of the tip's displacement: ${sentence(errorInWords(point))}`,
   };
 }
@@ -36,7 +51,7 @@ function estimated(result: Result, here: number, control: Control): Off | null {
   const percent = result.error_estimate_percent;
   if (percent === null) return null;
   const title = "Of the tip's displacement: the most that such bodies were off from 3D. No bound.";
-  if (percent < ANYWHERE) return { text: `within ${formatPercent(percent)} of 3D by its own estimate`, title };
+  if (percent < ANYWHERE) return { text: `within ${formatPercent(percent)} of 3D by its own estimate${ofInflation(result, percent)}`, title };
   const trusted = trustedPlace(result, control);
   if (trusted === null) return { text: "may be anywhere by its own estimate", title: "Its notes say why." };
   if (isBeyond(result, here, control)) return null;
