@@ -8,7 +8,7 @@ import type { Drawn } from "./drawn";
 import { offInWords } from "./off";
 
 const answered: Work = { name: "Finger", design: { family: "slab" }, loads: pressureLoads(20) };
-const path = [0, 10, 20].map((pressure_kPa) => ({ pressure_kPa, cavity_volume_ml: 10 + pressure_kPa }));
+const path = [0, 10, 20].map((pressure_kPa) => ({ pressure_kPa, cavity_volume_ml: 10 + pressure_kPa, tip_displacement_mm: [0, 0, -pressure_kPa] }));
 const typical = [5, 8, 25].map((below) => ({ half_below_percent: below / 2, four_of_five_below_percent: below, source: "Measured." }));
 
 function drawn(change: Partial<Result>, more: Partial<Drawn> = {}): Drawn {

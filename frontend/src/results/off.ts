@@ -29,7 +29,7 @@ const MOSTLY_SAG = 2;
 
 /** ", up to 940 % of what inflation does" where the loads before inflation make most of the tip's way; else nothing. */
 function ofInflation(result: Result, percent: number): string {
-  const tips = result.path.map((point) => point.tip_displacement_mm?.map((x) => x ?? 0) ?? [0, 0, 0]);
+  const tips = result.path.map((point) => point.tip_displacement_mm.map((x) => x ?? 0));
   const start = tips[0] ?? [0, 0, 0];
   const way = Math.max(0, ...tips.map((tip) => Math.hypot(...tip)));
   const inflation = Math.max(0, ...tips.map((tip) => Math.hypot(...tip.map((x, n) => x - (start[n] ?? 0)))));
