@@ -35,7 +35,8 @@ import numpy as np
 from scipy.optimize import minimize
 
 from actuators.mechanics.ladder import record as record_module
-from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, Spread
+from actuators.mechanics.ladder.cost import CostModel, Known
+from actuators.mechanics.ladder.past import PastJob, Spread
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors
 from actuators.mechanics.ladder.record import job_document
 from benchmarks.ladder_jobs import (

@@ -20,7 +20,8 @@ import numpy as np
 from actuators.design import FAMILIES, Design, parse_design
 from actuators.errors import InputError, QuestionError
 from actuators.mechanics.cell.row import chamber_row
-from actuators.mechanics.ladder.cost import JUDGED, SMALLEST_ERROR, PastJob
+from actuators.mechanics.ladder.ends import SMALLEST_ERROR
+from actuators.mechanics.ladder.past import JUDGED, PastJob
 from actuators.mechanics.ladder.question import LevelErrors, mesh_sizes, outlook
 from actuators.mechanics.obstacles import Plate
 from actuators.mechanics.scene import STANDARD_GRAVITY, STRONGEST, VACUUM, Scene

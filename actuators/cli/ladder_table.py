@@ -48,7 +48,7 @@ def print_ladder(
     learned = built.learned_from
     click.echo(
         "~: predicted, from "
-        + past_jobs(learned)
+        + jobs_in_words(learned)
         + " and the package's record; a range holds four of five."
         + (" Beside the seconds of a run stands what was predicted before it." if before else "")
     )
@@ -69,7 +69,7 @@ def _by_hand(scene: Scene) -> list[str]:
     return [f"{name.replace('_', ' ')} {choice}" for name, choice in scene.forced.items()]
 
 
-def past_jobs(learned: int) -> str:
+def jobs_in_words(learned: int) -> str:
     """In words, how many a prediction rests on."""
     if not learned:
         return "no job of this machine yet"

@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from actuators.cli.ladder_table import past_jobs
+from actuators.cli.ladder_table import jobs_in_words
 from actuators.design import Design
 from actuators.errors import InputError
 from actuators.mechanics.ladder import (
@@ -85,7 +85,7 @@ def tell_expected(design: Design, scene: Scene, rung: Rung) -> None:
     seconds, low, high = map(two_digits, (expected.seconds, expected.low, expected.high))
     click.echo(
         f"Expected to take {seconds} s (four of five such jobs: {low} to {high} s), from "
-        f"{past_jobs(expected.learned_from)} and the package's record.",
+        f"{jobs_in_words(expected.learned_from)} and the package's record.",
         err=True,
     )
 

@@ -107,6 +107,11 @@ class Scene:
                     raise refuse_together(name, "finite_strain", why)
 
     @property
+    def has_obstacle(self) -> bool:
+        """Whether there is a plate or a cylinder."""
+        return self.plate is not None or self.cylinder is not None
+
+    @property
     def forced(self) -> dict[str, Choice]:
         """What is not left to the studio, by name."""
         return checked_choices({**dict(self.effects), "self_contact": self.self_contact})

@@ -231,7 +231,7 @@ def _loaded(scene: Scene) -> bool:
     """Whether anything but pressure bends the body."""
     return (
         any(scene.gravity or ()) or any(scene.tip_force or ()) or scene.outside_pressure != 0.0
-        or scene.plate is not None or scene.cylinder is not None
+        or scene.has_obstacle
     )  # fmt: skip
 
 

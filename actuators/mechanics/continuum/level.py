@@ -54,7 +54,7 @@ def _loads(mesh: HexMesh, materials: Sequence[Material], scene: Scene) -> OuterL
 def _interactions(
     mesh: HexMesh, materials: Sequence[Material], scene: Scene
 ) -> tuple[Interaction, ...]:
-    if scene.plate is None and scene.cylinder is None and scene.self_contact == "off":
+    if not scene.has_obstacle and scene.self_contact == "off":
         return ()
     return interactions(mesh, materials, scene)
 

@@ -13,7 +13,8 @@ from actuators.mechanics.ladder.choice import (
     at_most_error,
     at_most_seconds,
 )
-from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, TimeEstimate
+from actuators.mechanics.ladder.cost import CostModel, Known, TimeEstimate
+from actuators.mechanics.ladder.past import PastJob
 from actuators.mechanics.ladder.points import Point, Span, Typical
 from actuators.mechanics.ladder.question import FEATURES, Outlook, outlook
 from actuators.mechanics.ladder.record import cost_record, job_document, job_of_document

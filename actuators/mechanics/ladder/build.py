@@ -20,7 +20,7 @@ from actuators.mechanics.ladder.points import (
 )
 from actuators.mechanics.ladder.question import cell_strain, outlook
 from actuators.mechanics.ladder.rungs import Rung, ladder_rungs
-from actuators.mechanics.ladder.typical import has_obstacle, typical_at
+from actuators.mechanics.ladder.typical import typical_at
 from actuators.mechanics.scene import Scene
 
 INSTANT_SECONDS: Mapping[str, TimeEstimate] = {
@@ -98,7 +98,7 @@ def build_ladder(
         for rung in everyone
         if (
             found := typical_at(
-                rung.name, design, strain, suction=suction, obstacle=has_obstacle(scene)
+                rung.name, design, strain, suction=suction, obstacle=scene.has_obstacle
             )
         )
         is not None

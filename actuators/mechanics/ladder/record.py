@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from actuators.mechanics.ladder.cost import CostModel, Known, PastJob, Spread
+from actuators.mechanics.ladder.cost import CostModel, Known
+from actuators.mechanics.ladder.past import PastJob, Spread
 from actuators.mechanics.ladder.question import FEATURES, LevelErrors, Outlook, work_by_level
 
 FILE = "cost_record.json"

@@ -20,7 +20,6 @@ from actuators.design import Design
 from actuators.mechanics.cell.row import chamber_row
 from actuators.mechanics.ladder.points import Typical
 from actuators.mechanics.response import Response
-from actuators.mechanics.scene import Scene
 
 FILE = "typical_errors.json"
 FEW = 5
@@ -158,11 +157,6 @@ def typical_at(
     return Typical(more * typical.half, more * typical.most, typical.source)
 
 
-def has_obstacle(scene: Scene) -> bool:
-    """Whether there is anything to touch."""
-    return scene.plate is not None or scene.cylinder is not None
-
-
 def typical_error(design: Design, response: Response) -> tuple[Typical | None, ...]:
     """Typical error of an instant ``response`` at every point of its path; None where nothing is
     known. Solves the periodic cell, unless it is kept from the response."""
@@ -173,7 +167,7 @@ def typical_error(design: Design, response: Response) -> tuple[Typical | None, .
             design,
             per_pressure * abs(point.pressure),
             suction=point.pressure < 0.0,
-            obstacle=has_obstacle(response.scene),
+            obstacle=response.scene.has_obstacle,
         )
         for point in response.path
     )

@@ -107,5 +107,5 @@ def is_plain(scene: Scene) -> bool:
     """Whether weight is the only load beside pressure."""
     return (
         scene.tip_force is None and scene.outside_pressure == 0.0
-        and scene.plate is None and scene.cylinder is None
+        and not scene.has_obstacle
     )  # fmt: skip

@@ -47,7 +47,7 @@ def obstacles_of(design: Design, layout: Layout, scene: Scene, moment: float) ->
     """The scene's plate and cylinder, in this order. ``moment``: the largest with which the body
     presses [N m]; with weight and tip force it says how hard the surfaces must be."""
     pieces = len(layout.length)
-    if scene.plate is None and scene.cylinder is None:
+    if not scene.has_obstacle:
         return no_obstacles(pieces)
     across, above, share = _touching_points(design, layout, scene.cylinder)
     kinds: list[tuple[int, np.ndarray, np.ndarray, float]] = []

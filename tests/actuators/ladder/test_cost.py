@@ -17,7 +17,7 @@ from actuators.mechanics.ladder import (
     job_document,
     job_of_document,
 )
-from actuators.mechanics.ladder.cost import Spread
+from actuators.mechanics.ladder.past import Spread
 from actuators.mechanics.ladder.question import LevelErrors, work_by_level
 
 OBLIQUE, STRAIN, COARSE = (FEATURES.index(name) for name in ("oblique", "strain", "coarse"))
